@@ -1,0 +1,137 @@
+//! What can be wrong with an input, and the checks that find it.
+
+use nalgebra::SVector;
+
+use crate::Scalar;
+
+/// Why a value was refused. Every variant names the quantity and carries its value.
+///
+/// Constructors validate parameters once. Afterwards `update` fails only for reasons that depend on the measurement, the
+/// reference or the state, and leaves the controller as it was.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// NaN or infinite: given by the caller, returned by a plant, or grown beyond the range of the scalar.
+    #[error("{name} = {value} is not finite")]
+    NonFinite {
+        /// The quantity.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// A vector with a NaN or infinite entry.
+    #[error("{name}[{index}] = {value} is not finite")]
+    NonFiniteEntry {
+        /// The vector.
+        name: &'static str,
+        /// The entry, counted from 0.
+        index: usize,
+        /// Its value.
+        value: f64,
+    },
+    /// A quantity that has to be greater than zero: a period, a width, a learning rate.
+    #[error("{name} = {value} must be greater than 0")]
+    NotPositive {
+        /// The quantity.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// A quantity that has to be zero or greater.
+    #[error("{name} = {value} must not be negative")]
+    Negative {
+        /// The quantity.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// A quantity that has to lie below another: the lower end of a range, say.
+    #[error("{name} = {value} must be less than {limit}")]
+    NotBelow {
+        /// The quantity.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+        /// What it has to lie below.
+        limit: f64,
+    },
+    /// A quantity that the law divides by has vanished, so no input produces the commanded motion.
+    #[error("{name} = {value} is singular")]
+    Singular {
+        /// The quantity.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// A complex number that has to come with its conjugate and does not.
+    #[error("{name} = {value} has no conjugate beside it")]
+    Unpaired {
+        /// The quantity.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// A characteristic polynomial with a root in the closed right half plane.
+    #[error(
+        "{name} are not Hurwitz: entry {row} in the first column of the Routh array is {value}, not positive"
+    )]
+    NotHurwitz {
+        /// The gains.
+        name: &'static str,
+        /// The row of the Routh array, counted from 0 (the leading coefficient 1).
+        row: usize,
+        /// The entry found there.
+        value: f64,
+    },
+    /// A slice of the wrong length.
+    #[error("{name} has {found} entries, not {expected}")]
+    Length {
+        /// The slice.
+        name: &'static str,
+        /// The length that fits.
+        expected: usize,
+        /// The length given.
+        found: usize,
+    },
+    /// Something that this configuration needs was not given.
+    #[error("{name} is missing")]
+    Missing {
+        /// What is missing.
+        name: &'static str,
+    },
+}
+
+/// `value` as an `f64`, for the message.
+pub(crate) fn value<T: Scalar>(value: T) -> f64 {
+    value.to_subset_unchecked()
+}
+
+pub(crate) fn finite<T: Scalar>(name: &'static str, x: T) -> Result<T, Error> {
+    if x.is_finite() { Ok(x) } else { Err(Error::NonFinite { name, value: value(x) }) }
+}
+
+pub(crate) fn finite_vector<T: Scalar, const N: usize>(
+    name: &'static str,
+    x: &SVector<T, N>,
+) -> Result<(), Error> {
+    match x.iter().enumerate().find(|(_, entry)| !entry.is_finite()) {
+        None => Ok(()),
+        Some((index, entry)) => Err(Error::NonFiniteEntry { name, index, value: value(*entry) }),
+    }
+}
+
+pub(crate) fn positive<T: Scalar>(name: &'static str, x: T) -> Result<T, Error> {
+    if finite(name, x)? > T::zero() {
+        Ok(x)
+    } else {
+        Err(Error::NotPositive { name, value: value(x) })
+    }
+}
+
+pub(crate) fn not_negative<T: Scalar>(name: &'static str, x: T) -> Result<T, Error> {
+    if finite(name, x)? >= T::zero() {
+        Ok(x)
+    } else {
+        Err(Error::Negative { name, value: value(x) })
+    }
+}
