@@ -1,0 +1,61 @@
+use crate::{
+    Error, Scalar,
+    error::{positive, value},
+    scalar::constant,
+};
+
+/// What becomes of the membership functions while the network learns.
+///
+/// **`Flow`** is the paper's law (eq_c_ik, eq_sigma_ik). With d = e − c and M = d/σ it says Ṁ·M = ας for every membership, and has
+/// the closed form, over a period with ς constant and τ = αςh,
+///
+/// d⁺ = d·e^{−τ}, M⁺² = M² + 2τ, c⁺ = e⁺ − d⁺, σ⁺ = |d⁺|/|M⁺|,
+///
+/// (τ, of the units of u_n, is taken as the number that it is in the units in use, as in the paper), where e⁺ is the input that is actually measured next. There is no step to choose and no division by (e − c)². All M² of one
+/// input move together, so the normalized firing strengths do not change at all: *under this law the network is an integrator*,
+/// u_n(t) = u_n(0) + α∫ς dt, and its memberships carry no information about e.
+///
+/// **`Fixed`** leaves them in place. The consequents then store u_n as a function of e, which is remembered where the state
+/// returns to; in exchange u_n also moves when e does.
+///
+/// # The singularity
+/// For ς < 0 the law drives M² to zero in finite time and asks for an infinite σ̇ there: the input sits on a centre. For ς > 0, M²
+/// grows without bound and d shrinks below rounding. The policy is to **stop at a floor and a ceiling** on M²: τ is cut, for all
+/// memberships of an input alike, so that none passes them, and the flow goes on as soon as ς points away. The centres travel with
+/// the input throughout, and the consequents learn throughout, so u̇_n = ας and the firing strengths are untouched by the stop.
+/// The flow also stops before d leaves the range of the scalar; and the memberships of an input that starts within √floor widths
+/// of a centre do not flow at all, they only travel.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Antecedents<T> {
+    /// Membership functions stay where they are.
+    Fixed,
+    /// Membership functions follow the paper's law between two bounds on M².
+    Flow {
+        /// The least M² that the flow goes down to, > 0.
+        floor: T,
+        /// The greatest M² that the flow goes up to, > `floor`.
+        ceiling: T,
+    },
+}
+
+impl<T: Scalar> Antecedents<T> {
+    /// The paper's law between M = 0.1 and M = 10.
+    pub fn flow() -> Self {
+        Antecedents::Flow { floor: constant(0.01), ceiling: constant(100.0) }
+    }
+
+    pub(super) fn validated(self) -> Result<Self, Error> {
+        if let Antecedents::Flow { floor, ceiling } = self {
+            positive("floor", floor)?;
+            positive("ceiling", ceiling)?;
+            if floor >= ceiling {
+                return Err(Error::NotBelow {
+                    name: "floor",
+                    value: value(floor),
+                    limit: value(ceiling),
+                });
+            }
+        }
+        Ok(self)
+    }
+}

@@ -1,0 +1,124 @@
+use super::Switching;
+use crate::{
+    Error, Scalar,
+    error::{finite, not_negative, positive},
+    scalar::constant,
+};
+
+/// What theory promises of sliding-mode learning: from α, δ, the period h and a bound B on |Δ̇|.
+///
+/// The promises are about s = −(u_n + Δ), that is, they hold with the exact ė_n (as from [`Measured`](super::Measured)). The
+/// sampled ones follow from s(k+1) = s(k) − αh·ς(k) − ∫Δ̇ dt over the period, worst case |∫Δ̇ dt| = B·h.
+///
+/// ```
+/// use brunovsky::learning::{Certificate, Switching};
+///
+/// // The simulation study: α = 25, δ = 0.05, h = 0.01 s, Δ = 5·sin t, s(0) = −90.
+/// let certificate = Certificate::new(25.0, Switching::Explicit { delta: 0.05 }, 0.01, 5.0)?;
+/// assert!(certificate.holds());
+/// assert_eq!(certificate.reaching_time(-90.0)?, Some(4.5));
+/// assert_eq!(certificate.step_ratio(), 5.0);
+/// assert!(certificate.explicit_chatters());
+/// # Ok::<(), brunovsky::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Certificate<T> {
+    alpha: T,
+    switching: Switching<T>,
+    dt: T,
+    bound: T,
+}
+
+impl<T: Scalar> Certificate<T> {
+    /// For learning rate α > 0, a discretized sign with its δ, period h = `dt` > 0 in seconds and |Δ̇| ≤ `bound` = B ≥ 0.
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`], [`Error::Negative`] or [`Error::NonFinite`] for a parameter out of range.
+    pub fn new(alpha: T, switching: Switching<T>, dt: T, bound: T) -> Result<Self, Error> {
+        Ok(Self {
+            alpha: positive("alpha", alpha)?,
+            switching: switching.validated()?,
+            dt: positive("dt", dt)?,
+            bound: not_negative("bound on the rate of the uncertainty", bound)?,
+        })
+    }
+
+    /// α > B: learning is faster than what it has to learn. Without this nothing below is promised.
+    pub fn holds(&self) -> bool {
+        self.alpha > self.bound
+    }
+
+    /// t_h = |s(0)|/(α − B) in seconds, within which s reaches zero under the ideal sign (eq_th2); `None` unless α > B.
+    ///
+    /// # Errors
+    /// [`Error::NonFinite`] for an s(0) that is not finite.
+    pub fn reaching_time(&self, s0: T) -> Result<Option<T>, Error> {
+        let size = finite("s(0)", s0)?.abs();
+        Ok(self.holds().then(|| size / (self.alpha - self.bound)))
+    }
+
+    /// δB/(α − B): what remains of |s| under the smoothed sign in continuous time, where α|s|/(|s| + δ) = B; `None` unless
+    /// α > B.
+    pub fn boundary_layer_residual(&self) -> Option<T> {
+        self.holds().then(|| self.switching.delta() * self.bound / (self.alpha - self.bound))
+    }
+
+    /// What remains of |s| at the samples, before learning from it; `None` unless α > B.
+    ///
+    /// The implicit signs add to the [boundary layer's residual](Self::boundary_layer_residual) the B·h by which Δ moves in a
+    /// period; the explicit one adds it to its chattering where that is larger.
+    pub fn residual(&self) -> Option<T> {
+        let layer = self.boundary_layer_residual()?;
+        let drift = self.bound * self.dt;
+        Some(match self.switching {
+            Switching::Explicit { .. } => layer.max(self.overshoot() + drift),
+            Switching::Implicit { .. } | Switching::SetValued => layer + drift,
+        })
+    }
+
+    /// The bound on |e₁| that |s| ≤ [`residual`](Self::residual) implies once transients have died out: residual/λⁿ, for gains with
+    /// all `order` = n poles at −λ; `None` unless α > B.
+    ///
+    /// As e₁ = s/(p + λ)ⁿ has a positive impulse response, its steady-state gain 1/λⁿ bounds it for every s, slow or fast.
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`] or [`Error::NonFinite`] for `lambda`.
+    pub fn tracking_bound(&self, lambda: T, order: i32) -> Result<Option<T>, Error> {
+        positive("lambda", lambda)?;
+        Ok(self.residual().map(|residual| residual / lambda.powi(order)))
+    }
+
+    /// αh/δ; infinite for δ = 0.
+    pub fn step_ratio(&self) -> T {
+        self.alpha * self.dt / self.switching.delta()
+    }
+
+    /// αh/δ > 2: near s = 0 an explicit Euler step of the smoothed sign overshoots by more than it started from, and chatters for
+    /// ever. (At αh/δ = 2 it dies out, slower than any exponential.)
+    pub fn explicit_chatters(&self) -> bool {
+        self.alpha * self.dt > constant::<T>(2.0) * self.switching.delta()
+    }
+
+    /// αh/2 − δ, the amplitude of s in the period-two cycle of explicit Euler for a constant Δ; 0 if it does not chatter.
+    pub fn chattering_amplitude(&self) -> T {
+        (self.alpha * self.dt * constant(0.5) - self.switching.delta()).max(T::zero())
+    }
+
+    /// A bound on |s(k+1)| after |s(k)| ≤ `size`; for the implicit signs it is attained.
+    pub(super) fn worst_next(&self, size: T) -> T {
+        let reach = self.alpha * self.dt;
+        let after = size - reach * self.switching.sign(size, reach);
+        let drift = self.bound * self.dt;
+        match self.switching {
+            Switching::Explicit { .. } => after.max(self.overshoot()) + drift,
+            Switching::Implicit { .. } | Switching::SetValued => after.max(T::zero()) + drift,
+        }
+    }
+
+    /// How far one explicit step can pass beyond zero: the largest |s − αh·s/(|s| + δ)| of the wrong sign, (√(αh) − √δ)² if αh > δ.
+    fn overshoot(&self) -> T {
+        let reach = self.alpha * self.dt;
+        let excess = (reach.sqrt() - self.switching.delta().sqrt()).max(T::zero());
+        excess * excess
+    }
+}

@@ -1,0 +1,45 @@
+//! Learning on the closed-loop error.
+//!
+//! With the input u = b⁻¹·(−a + u_f + u_b + u_n) the plant ẋ_n = a + b·u + Δ obeys ė_n = −u_b − u_n − Δ, so the sliding variable
+//!
+//! s = ė_n + u_b = −(u_n + Δ)   (eq_ss2)
+//!
+//! *is* the uncertainty that has not been learned yet, with the sign turned. Learning u̇_n = α·sgn(s) drives it to zero; the
+//! feedback u_b then has nothing left to do.
+//!
+//! | piece | what it decides | choices |
+//! |---|---|---|
+//! | [`ErrorRate`] | where ė_n comes from | [`Measured`], [`BackwardDifference`], [`FilteredDifference`], [`ModelAided`] |
+//! | [`AdaptationRule`] | how the network moves | [`SlidingMode`], [`GradientDescent`], [`NullRule`] |
+//! | [`Switching`] | how sgn(s) is discretized | `Explicit`, `Implicit`, `SetValued` |
+//! | [`Antecedents`] | whether the memberships move | `Fixed`, `Flow` |
+//! | [`Compensator`] | all of it together: e, u_b, … ↦ u_n | [`NeuroFuzzy`], [`NullCompensator`] |
+//! | [`Certificate`], [`Monitor`] | what theory promises, and whether it holds | |
+//!
+//! Signs as everywhere: e = r − x. Units: s, u_b, u_f, u_n and Δ have those of ẋ_n; α those of ẋ_n per second.
+//!
+//! This module depends on [`fuzzy`](crate::fuzzy) and knows nothing of controllers.
+
+mod antecedents;
+mod certificate;
+mod closed_loop;
+mod compensator;
+mod error_rate;
+mod gradient_descent;
+mod monitor;
+mod neuro_fuzzy;
+mod rule;
+mod sliding_mode;
+mod switching;
+
+pub use antecedents::Antecedents;
+pub use certificate::Certificate;
+pub use closed_loop::ClosedLoop;
+pub use compensator::{Compensation, Compensator, NullCompensator};
+pub use error_rate::{BackwardDifference, ErrorRate, FilteredDifference, Measured, ModelAided};
+pub use gradient_descent::GradientDescent;
+pub use monitor::{Monitor, Verdict};
+pub use neuro_fuzzy::NeuroFuzzy;
+pub use rule::{AdaptationRule, NullRule};
+pub use sliding_mode::SlidingMode;
+pub use switching::Switching;

@@ -1,0 +1,63 @@
+use super::Certificate;
+use crate::{
+    Error, Scalar,
+    error::{finite, not_negative},
+};
+
+/// Compares |s| at run time with what a [`Certificate`] allows.
+///
+/// From the first |s| on it carries along the largest true |s| that is possible while |Δ̇| ≤ B, sample by sample. A greater one means
+/// that an assumption has failed: Δ moves faster than B, or the ė_n behind s is farther off than was said. After a violation the
+/// bound starts again from the |s| found.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Monitor<T> {
+    certificate: Certificate<T>,
+    slack: T,
+    possible: Option<T>,
+}
+
+/// What the monitor found at one sample.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Verdict<T> {
+    /// The largest |s| that the certificate allows at this sample.
+    pub allowed: T,
+    /// Whether |s| is no larger.
+    pub holds: bool,
+}
+
+impl<T: Scalar> Monitor<T> {
+    /// A monitor that has seen no sample yet, to be called once a period of the certificate. `slack` ≥ 0 is how far s may be off,
+    /// by noise, delay or rounding of ė_n.
+    ///
+    /// # Errors
+    /// [`Error::Negative`] or [`Error::NonFinite`] for the slack.
+    pub fn new(certificate: Certificate<T>, slack: T) -> Result<Self, Error> {
+        Ok(Self { certificate, slack: not_negative("slack", slack)?, possible: None })
+    }
+
+    /// Judges the next s.
+    ///
+    /// # Errors
+    /// [`Error::NonFinite`] for an s that is not finite; the monitor is then as before.
+    pub fn update(&mut self, s: T) -> Result<Verdict<T>, Error> {
+        let size = finite("s", s)?.abs();
+        // The rule learns from s + noise. Its signs do not decrease in s, so the worst noise is the one that hides `slack` of s:
+        // what is left is that of the rest, and the slack.
+        let possible = match self.possible {
+            None => size + self.slack,
+            Some(last) => {
+                let seen = (last - self.slack).max(T::zero());
+                self.certificate.worst_next(seen) + self.slack
+            }
+        };
+        let allowed = possible + self.slack;
+        let holds = size <= allowed;
+        self.possible = Some(if holds { possible } else { size + self.slack });
+        Ok(Verdict { allowed, holds })
+    }
+
+    /// Forgets the samples so far.
+    pub fn reset(&mut self) {
+        self.possible = None;
+    }
+}

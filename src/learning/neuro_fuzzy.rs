@@ -1,0 +1,65 @@
+use super::{AdaptationRule, ClosedLoop, Compensation, Compensator, ErrorRate};
+use crate::{
+    Error, Scalar,
+    error::{finite, finite_vector, positive},
+    fuzzy::{FuzzyNetwork, Grid, Inputs},
+};
+
+/// The intelligent controller of CLELC: a fuzzy network over the error vector e, trained on s = ė_n + u_b.
+///
+/// At each sample the network is evaluated at e, s is formed with ė_n from the error-rate source, the rule learns over the period,
+/// and u_n is the output *after* learning.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct NeuroFuzzy<T: Scalar, E, R, const N: usize, const K: usize>
+where
+    Inputs<N>: Grid,
+{
+    network: FuzzyNetwork<T, N, K>,
+    error_rate: E,
+    rule: R,
+}
+
+impl<T: Scalar, E, R, const N: usize, const K: usize> NeuroFuzzy<T, E, R, N, K>
+where
+    Inputs<N>: Grid,
+{
+    /// A `network` trained by `rule`, with ė_n from `error_rate`.
+    pub fn new(network: FuzzyNetwork<T, N, K>, error_rate: E, rule: R) -> Self
+    where
+        E: ErrorRate<T, N>,
+        R: AdaptationRule<T, N, K>,
+    {
+        Self { network: network.released(), error_rate, rule }
+    }
+
+    /// The network as it stands.
+    pub fn network(&self) -> &FuzzyNetwork<T, N, K> {
+        &self.network
+    }
+
+    /// The network as it stands, to be changed.
+    pub fn network_mut(&mut self) -> &mut FuzzyNetwork<T, N, K> {
+        &mut self.network
+    }
+}
+
+impl<T, E, R, const N: usize, const K: usize> Compensator<T, N> for NeuroFuzzy<T, E, R, N, K>
+where
+    T: Scalar,
+    E: ErrorRate<T, N> + Clone,
+    R: AdaptationRule<T, N, K> + Clone,
+    Inputs<N>: Grid,
+{
+    fn advanced(&self, at: &ClosedLoop<T, N>, dt: T) -> Result<(Self, Compensation<T>), Error> {
+        positive("dt", dt)?;
+        finite_vector("e", &at.e)?;
+        let mut next = self.clone();
+        next.rule.follow(&mut next.network, &at.e);
+        let firing = next.network.fire(&at.e);
+        let known = next.network.output(&firing);
+        let s = finite("s", next.error_rate.error_rate(at, known, dt)? + at.u_b)?;
+        next.rule.adapt(&mut next.network, &firing, s, dt);
+        let u_n = finite("u_n", next.network.output(&firing))?;
+        Ok((next, Compensation { u_n, s }))
+    }
+}
