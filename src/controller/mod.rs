@@ -1,0 +1,92 @@
+//! Controllers: from a measurement and a reference to an input, once a period.
+//!
+//! | controller | law | on |
+//! |---|---|---|
+//! | [`FeedbackLinearization`] | u = b⁻¹·(−a + u_f + u_b) (eq_ndi_controllaw) | a model in chain form |
+//! | [`Clelc`] | u = b⁻¹·(−a + u_f + u_b + u_n) (eq_new_controllaw) | the same and a [compensator](crate::learning::Compensator) |
+//!
+//! # Conventions
+//! The error is **e = r − x**; gains are positive for negative feedback. A [`Controller`] is a state machine without a clock:
+//! the same calls give the same outputs.
+//!
+//! `dt` is given at every call, in seconds, finite and > 0: the time since the call before (at the first call, the period that
+//! the loop will run at). The output is meant to be held until the next call.
+//!
+//! Whatever a call returns as `Err`, it leaves the controller exactly as it was before.
+//!
+//! This module depends on [`plant`](crate::plant) for models and on [`learning`](crate::learning) for compensators.
+
+mod clelc;
+mod feedback_linearization;
+mod gains;
+mod measurement;
+mod reference;
+
+pub use clelc::{Clelc, ClelcCommand};
+pub use feedback_linearization::{FeedbackLinearization, FeedbackLinearizationCommand};
+pub use gains::Gains;
+pub use measurement::Measurement;
+pub use reference::Reference;
+
+use nalgebra::SVector;
+
+use crate::{Error, Scalar};
+
+/// A sampled controller for plants with NX states and NU inputs.
+pub trait Controller<const NX: usize, const NU: usize> {
+    /// The number type of states and inputs.
+    type Scalar: Scalar;
+    /// What the plant is to follow, at one instant.
+    type Reference;
+    /// The input and how it came about.
+    type Command: Command<Self::Scalar, NU>;
+
+    /// The command for the coming period, from the measurement and the reference at its start. For `dt` see the
+    /// [module](self).
+    ///
+    /// # Errors
+    /// For a bad `dt`, measurement or reference, and where the law has no answer. The controller is then as before.
+    fn update(
+        &mut self,
+        measurement: &Measurement<Self::Scalar, NX, NU>,
+        reference: &Self::Reference,
+        dt: Self::Scalar,
+    ) -> Result<Self::Command, Error>;
+
+    /// Back to the state after construction: memory and everything learned is forgotten, parameters are kept.
+    fn reset(&mut self);
+}
+
+impl<C: Controller<NX, NU> + ?Sized, const NX: usize, const NU: usize> Controller<NX, NU>
+    for &mut C
+{
+    type Scalar = C::Scalar;
+    type Reference = C::Reference;
+    type Command = C::Command;
+
+    fn update(
+        &mut self,
+        measurement: &Measurement<C::Scalar, NX, NU>,
+        reference: &C::Reference,
+        dt: C::Scalar,
+    ) -> Result<C::Command, Error> {
+        (**self).update(measurement, reference, dt)
+    }
+
+    fn reset(&mut self) {
+        (**self).reset();
+    }
+}
+
+/// What a controller decided: an input, and perhaps how it came about.
+pub trait Command<T, const NU: usize> {
+    /// The input u for the plant.
+    fn input(&self) -> SVector<T, NU>;
+}
+
+/// The plain input, for a controller with nothing more to say.
+impl<T: Scalar, const NU: usize> Command<T, NU> for SVector<T, NU> {
+    fn input(&self) -> SVector<T, NU> {
+        *self
+    }
+}
