@@ -1,0 +1,52 @@
+#![no_std]
+#![warn(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+//! Control of uncertain nonlinear systems: feedback linearization that learns on its closed-loop error.
+//!
+//! A plant of order n with an uncertainty Δ, and the law that controls it (closed-loop error learning control, CLELC):
+//!
+//! ```text
+//! ẋᵢ = xᵢ₊₁,  ẋ_n = a(x) + b(x)·u + Δ(t, x, u)
+//!
+//! u = b(x)⁻¹·(−a(x) + u_f + u_b + u_n)
+//!       u_f = ṙ_n              feedforward from the reference
+//!       u_b = k·e              feedback of the error e = r − x
+//!       u_n                    a neuro-fuzzy network, trained by u̇_n = α·sgn(s) on s = ė_n + u_b = −(u_n + Δ)
+//! ```
+//!
+//! The network takes over from the feedback what the model did not know. The crate is `no_std`, does not allocate, contains no
+//! `unsafe`, and works for `f32` and `f64`.
+//!
+//! | room | what is in it | depends on |
+//! |---|---|---|
+//! | [`plant`] | what is controlled: three rungs of traits, named plants, uncertainty | – |
+//! | [`integrators`] | fixed-step methods for ẋ = f(t, x) | – |
+//! | [`fuzzy`] | membership functions, rule grid, network | – |
+//! | [`learning`] | sources of ė_n, adaptation rules, compensators, certificates | fuzzy |
+//! | [`controller`] | gains, feedback linearization, CLELC | plant, learning |
+//! | [`simulation`] | the sampled loop, figures of merit | all |
+//!
+//! The [`prelude`] names what a typical program needs. [`nalgebra`] is re-exported, so that its version fits.
+//!
+//! # Features
+//! * `std` (default): elementary functions of the platform. Without it they come from `libm`, and the crate needs neither an
+//!   operating system nor an allocator.
+
+pub mod controller;
+pub mod fuzzy;
+pub mod integrators;
+pub mod learning;
+pub mod plant;
+pub mod prelude;
+pub mod simulation;
+
+mod error;
+mod scalar;
+
+pub use error::Error;
+pub use nalgebra;
+pub use scalar::Scalar;
+
+/// The program of the README compiles and runs.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -1,0 +1,18 @@
+//! Everything that a typical program names: `use brunovsky::prelude::*;`.
+
+pub use crate::{
+    Error, Scalar,
+    controller::{
+        Clelc, Command, Controller, FeedbackLinearization, Gains, Measurement, Reference,
+    },
+    fuzzy::{FuzzyNetwork, Gaussian},
+    integrators::{Euler, Heun, Integrator, Rk4},
+    learning::{
+        Antecedents, BackwardDifference, Certificate, Compensator, FilteredDifference,
+        GradientDescent, Measured, ModelAided, Monitor, NeuroFuzzy, NullCompensator, NullRule,
+        SlidingMode, Switching,
+    },
+    plant::{ControlAffine, FeedbackLinearizable, Plant, Uncertain},
+    simulation::{ErrorMetrics, Simulation, StepInfo, TotalVariation},
+};
+pub use nalgebra::{SMatrix, SVector};

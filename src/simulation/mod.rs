@@ -1,0 +1,17 @@
+//! The laboratory: a sampled controller on a continuous plant, and figures of merit for what comes out.
+//!
+//! [`Simulation`] is an iterator of [`Sample`]s, so `step_by`, `zip`, `take_while` and `collect::<Result<Vec<_>, _>>()` are its recorder.
+//! [`StepInfo`] measures a response by the definitions of MATLAB's `stepinfo`, [`ErrorMetrics`] integrates an error,
+//! [`TotalVariation`] counts how much a signal moves; all three take a signal one sample at a time and allocate nothing.
+//!
+//! This module depends on all others, and none on it.
+
+mod closed_loop;
+mod error_metrics;
+mod step_info;
+mod total_variation;
+
+pub use closed_loop::{Sample, Simulation};
+pub use error_metrics::ErrorMetrics;
+pub use step_info::StepInfo;
+pub use total_variation::TotalVariation;
