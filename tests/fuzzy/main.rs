@@ -1,0 +1,32 @@
+//! The neuro-fuzzy network against its textbook definition, symmetries and closed forms.
+
+/// Runs each law, a function generic over the scalar, as one test in `f32` and one in `f64`.
+macro_rules! in_both_precisions {
+    ($($law:ident),+ $(,)?) => {
+        mod in_f32 {
+            $(#[test] fn $law() { super::$law::<f32>(); })+
+        }
+        mod in_f64 {
+            $(#[test] fn $law() { super::$law::<f64>(); })+
+        }
+    };
+}
+
+/// Calls `law::<T, I, K>()` for networks with one to six inputs.
+macro_rules! for_every_shape {
+    ($law:ident::<$T:ident>) => {
+        $law::<$T, 1, 1>();
+        $law::<$T, 1, 5>();
+        $law::<$T, 2, 3>();
+        $law::<$T, 3, 4>();
+        $law::<$T, 4, 3>();
+        $law::<$T, 5, 2>();
+        $law::<$T, 6, 1>();
+        $law::<$T, 6, 3>();
+    };
+}
+
+mod gaussian;
+mod grid;
+mod network;
+mod support;
