@@ -1,0 +1,7 @@
+//! Closed-loop error learning: what it equals, what it learns, its symmetries, its failures, and derivatives through it.
+
+mod derivatives;
+mod equivalence;
+mod failures;
+mod learned;
+mod symmetry;
