@@ -11,7 +11,7 @@ use brunovsky::{
     plant::IntegratorChain,
     prelude::*,
 };
-use criterion::{criterion_group, criterion_main, Criterion};
+use criterion::{Criterion, criterion_group, criterion_main};
 use textbook::Textbook;
 
 /// Small enough for the memberships to stay where the plain formulas keep their accuracy.
@@ -30,8 +30,8 @@ fn states<T: Scalar, const N: usize>() -> Vec<SVector<T, N>> {
     (0..512).map(state).collect()
 }
 
-fn clelc<T: Scalar, const N: usize, const K: usize>(
-) -> Result<impl FnMut(&SVector<T, N>) -> Result<T, Error>, Error>
+fn clelc<T: Scalar, const N: usize, const K: usize>()
+-> Result<impl FnMut(&SVector<T, N>) -> Result<T, Error>, Error>
 where
     Inputs<N>: Grid,
 {

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use comfy_table::{presets::ASCII_MARKDOWN, Table};
+use comfy_table::{Table, presets::ASCII_MARKDOWN};
 use serde::Serialize;
 
 /// One statement of the paper and what became of it.

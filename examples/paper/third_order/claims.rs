@@ -3,10 +3,10 @@
 use brunovsky::prelude::*;
 
 use super::{
+    ALPHA, BOUND, DELTA, EXPERIMENT, PERIOD, START, Sample,
     merits::{largest, reached, relative_variation, response, unlearned},
     simulate,
     tables::{figure, figure_if},
-    Sample, ALPHA, BOUND, DELTA, EXPERIMENT, PERIOD, START,
 };
 use crate::claims::Claim;
 

@@ -2,8 +2,8 @@
 
 use std::{ops::Range, path::Path};
 
-use super::{uncertainty, Sample, END, SWITCHED_ON};
-use crate::plot::{over_time, Line, BLACK, BLUE, GREY, VERMILION};
+use super::{END, SWITCHED_ON, Sample, uncertainty};
+use crate::plot::{BLACK, BLUE, GREY, Line, VERMILION, over_time};
 
 fn points(run: &[Sample], f: impl Fn(&Sample) -> f64) -> Vec<(f64, f64)> {
     run.iter().map(|sample| (sample.t, f(sample))).collect()

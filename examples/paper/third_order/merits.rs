@@ -2,7 +2,7 @@
 
 use brunovsky::prelude::*;
 
-use super::{uncertainty, Sample, START, STEADY, SWITCHED_ON};
+use super::{START, STEADY, SWITCHED_ON, Sample, uncertainty};
 
 /// The nominal response of state `i`, from its initial value to 0.
 pub fn response(run: &[Sample], i: usize) -> Result<StepInfo<f64>, Error> {

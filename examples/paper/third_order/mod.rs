@@ -33,11 +33,7 @@ const BOUND: f64 = 5.0;
 
 /// The uncertainty Δ(t).
 fn uncertainty(t: f64) -> f64 {
-    if t >= SWITCHED_ON {
-        5.0 * t.sin()
-    } else {
-        0.0
-    }
+    if t >= SWITCHED_ON { 5.0 * t.sin() } else { 0.0 }
 }
 
 type Sample = simulation::Sample<f64, Reference<f64, 3>, ClelcCommand<f64>, 3, 1>;

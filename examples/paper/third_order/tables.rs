@@ -1,11 +1,12 @@
 //! FLC beside CLELC, and CLELC in all its variants.
 
 use brunovsky::prelude::*;
-use comfy_table::{presets::ASCII_MARKDOWN, Table};
+use comfy_table::{Table, presets::ASCII_MARKDOWN};
 
 use super::{
+    ALPHA, DELTA, PERIOD, Sample,
     merits::{largest, relative_variation, response, steady, unlearned},
-    simulate, Sample, ALPHA, DELTA, PERIOD,
+    simulate,
 };
 
 fn table<const N: usize>(header: [&str; N]) -> Table {

@@ -5,8 +5,8 @@ use brunovsky::{
     controller::{Controller, Measurement, Reference},
     fuzzy::{FuzzyNetwork, Grid, Inputs},
     learning::{
-        Antecedents, BackwardDifference, ErrorRate, FilteredDifference,
-        GradientDescent, Measured, ModelAided, NeuroFuzzy, SlidingMode,
+        Antecedents, BackwardDifference, ErrorRate, FilteredDifference, GradientDescent, Measured,
+        ModelAided, NeuroFuzzy, SlidingMode,
     },
     plant::{
         FeedbackLinearizable, IntegratorChain, Pendulum, Plant, ThirdOrder, Uncertain, VanDerPol,
