@@ -23,6 +23,7 @@
 //! | [`fuzzy`] | membership functions, rule grid, network | – |
 //! | [`learning`] | sources of ė_n, adaptation rules, compensators, certificates | fuzzy |
 //! | [`controller`] | gains, feedback linearization, CLELC | plant, learning |
+//! | [`trajectory`] | references r(t) with their derivatives: analytic curves, minimum jerk, constant speed | controller |
 //! | [`simulation`] | the sampled loop, figures of merit | all |
 //!
 //! The [`prelude`] names what a typical program needs. [`nalgebra`] is re-exported, so that its version fits.
@@ -38,6 +39,7 @@ pub mod learning;
 pub mod plant;
 pub mod prelude;
 pub mod simulation;
+pub mod trajectory;
 
 mod error;
 mod scalar;

@@ -1,0 +1,33 @@
+//! Trajectories against closed forms, identities of their derivatives, symmetries, and the optimality they are defined by.
+
+// Helpers stand outside of the `#[test]` functions, where clippy's allowance for tests does not reach.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+mod boundary;
+mod circle;
+mod constant_speed;
+mod derivatives;
+mod figure_eight;
+mod limits;
+mod line;
+mod minimum_jerk;
+mod quintic;
+mod support;
+
+/// Tests of the given names, each a module that runs a check generic over the scalar at f32 and at f64.
+macro_rules! at_f32_and_f64 {
+    ($($name:ident => $check:ident),+ $(,)?) => {
+        $(mod $name {
+            #[test]
+            fn f32() {
+                super::$check::<f32>();
+            }
+
+            #[test]
+            fn f64() {
+                super::$check::<f64>();
+            }
+        })+
+    };
+}
+pub(crate) use at_f32_and_f64;
