@@ -1,0 +1,85 @@
+use nalgebra::SVector;
+
+use super::{Command, Controller, Measurement};
+use crate::{Error, actuator::Actuator};
+
+/// A controller behind whose command stands an actuator with limits, and which is told what arrived.
+///
+/// The input is what the actuator makes of the command. At the next sample the controller inside sees that as the applied input, unless
+/// the measurement brings a report of its own: learning then knows what was really done.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Limited<C, A, T, const NU: usize> {
+    controller: C,
+    actuator: A,
+    start: A,
+    arrived: Option<SVector<T, NU>>,
+}
+
+/// An input of [`Limited`] and the command that it was made from.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LimitedCommand<D, T, const NU: usize> {
+    /// The input that arrives.
+    pub u: SVector<T, NU>,
+    /// What the controller inside decided.
+    pub asked: D,
+}
+
+impl<D, T: crate::Scalar, const NU: usize> Command<T, NU> for LimitedCommand<D, T, NU> {
+    fn input(&self) -> SVector<T, NU> {
+        self.u
+    }
+}
+
+impl<D: Command<T, NU>, T: crate::Scalar, const NU: usize> LimitedCommand<D, T, NU> {
+    /// Whether the actuator changed the command.
+    pub fn is_limited(&self) -> bool {
+        self.u != self.asked.input()
+    }
+}
+
+impl<C, A: Clone, T, const NU: usize> Limited<C, A, T, NU> {
+    /// `controller` with `actuator` behind it.
+    pub fn new(controller: C, actuator: A) -> Self {
+        Self { controller, start: actuator.clone(), actuator, arrived: None }
+    }
+
+    /// The controller inside.
+    pub fn controller(&self) -> &C {
+        &self.controller
+    }
+}
+
+impl<C, A, const NX: usize, const NU: usize> Controller<NX, NU> for Limited<C, A, C::Scalar, NU>
+where
+    C: Controller<NX, NU> + Clone,
+    A: Actuator<C::Scalar, NU>,
+{
+    type Scalar = C::Scalar;
+    type Reference = C::Reference;
+    type Command = LimitedCommand<C::Command, C::Scalar, NU>;
+
+    /// # Errors
+    /// Those of the controller inside.
+    fn update(
+        &mut self,
+        measurement: &Measurement<C::Scalar, NX, NU>,
+        reference: &C::Reference,
+        dt: C::Scalar,
+    ) -> Result<Self::Command, Error> {
+        let told = Measurement { applied: measurement.applied.or(self.arrived), ..*measurement };
+        let mut controller = self.controller.clone();
+        let asked = controller.update(&told, reference, dt)?;
+        let (actuator, u) = self.actuator.driven(&asked.input(), dt)?;
+
+        self.controller = controller;
+        self.actuator = actuator;
+        self.arrived = Some(u);
+        Ok(LimitedCommand { u, asked })
+    }
+
+    fn reset(&mut self) {
+        self.controller.reset();
+        self.actuator = self.start.clone();
+        self.arrived = None;
+    }
+}
