@@ -74,6 +74,7 @@ impl<P: FeedbackLinearizable<N>, const N: usize> FeedbackLinearization<P, N> {
             drift: finite("a(x)", self.model.drift(&x))?,
             gain: finite("b(x)", self.model.input_gain(&x))?,
             u: measurement.applied.map_or(last, |applied| applied[0]),
+            asked: last,
             rate: measurement.x_dot.map(|x_dot| x_dot[N - 1]),
         })
     }

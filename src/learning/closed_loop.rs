@@ -17,6 +17,8 @@ pub struct ClosedLoop<T, const N: usize> {
     pub gain: T,
     /// The input that the plant received over the period that ends at this sample; 0 before the first.
     pub u: T,
+    /// The input that the loop had asked for over that period; 0 before the first.
+    pub asked: T,
     /// ẋ_n measured at this sample under that input, if there is a sensor for it.
     pub rate: Option<T>,
 }

@@ -9,8 +9,8 @@
 //!
 //! | piece | what it decides | choices |
 //! |---|---|---|
-//! | [`ErrorRate`] | where ė_n comes from | [`Measured`], [`BackwardDifference`], [`FilteredDifference`], [`ModelAided`] |
-//! | [`AdaptationRule`] | how the network moves | [`SlidingMode`], [`GradientDescent`], [`NullRule`] |
+//! | [`ErrorRate`] | where ė_n comes from | [`Measured`], [`BackwardDifference`], [`FilteredDifference`], [`ModelAided`]; [`Conditional`] around any |
+//! | [`AdaptationRule`] | how the network moves | [`SlidingMode`], [`GradientDescent`], [`NullRule`]; [`Bounded`] around any |
 //! | [`Switching`] | how sgn(s) is discretized | `Explicit`, `Implicit`, `SetValued` |
 //! | [`Antecedents`] | whether the memberships move | `Fixed`, `Flow` |
 //! | [`Compensator`] | all of it together: e, u_b, … ↦ u_n | [`NeuroFuzzy`], [`NullCompensator`] |
@@ -21,6 +21,7 @@
 //! This module depends on [`fuzzy`](crate::fuzzy) and knows nothing of controllers.
 
 mod antecedents;
+mod bounded;
 mod certificate;
 mod closed_loop;
 mod compensator;
@@ -33,10 +34,13 @@ mod sliding_mode;
 mod switching;
 
 pub use antecedents::Antecedents;
+pub use bounded::Bounded;
 pub use certificate::Certificate;
 pub use closed_loop::ClosedLoop;
 pub use compensator::{Compensation, Compensator, NullCompensator};
-pub use error_rate::{BackwardDifference, ErrorRate, FilteredDifference, Measured, ModelAided};
+pub use error_rate::{
+    BackwardDifference, Conditional, ErrorRate, FilteredDifference, Measured, ModelAided,
+};
 pub use gradient_descent::GradientDescent;
 pub use monitor::{Monitor, Verdict};
 pub use neuro_fuzzy::NeuroFuzzy;

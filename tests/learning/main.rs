@@ -13,6 +13,7 @@ macro_rules! in_both_precisions {
 }
 
 mod antecedents;
+mod bounded;
 mod certificate;
 mod compensator;
 mod error_rate;

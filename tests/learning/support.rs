@@ -64,6 +64,7 @@ pub fn quiet<T: Scalar, const N: usize>() -> ClosedLoop<T, N> {
         drift: T::zero(),
         gain: T::one(),
         u: T::zero(),
+        asked: T::zero(),
         rate: None,
     }
 }

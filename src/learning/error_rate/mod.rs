@@ -1,9 +1,11 @@
 mod backward_difference;
+mod conditional;
 mod filtered_difference;
 mod measured;
 mod model_aided;
 
 pub use backward_difference::BackwardDifference;
+pub use conditional::Conditional;
 pub use filtered_difference::FilteredDifference;
 pub use measured::Measured;
 pub use model_aided::ModelAided;
@@ -22,6 +24,13 @@ use crate::Error;
 /// | [`BackwardDifference`] | nothing | (e_n(k) − e_n(k−1))/dt | dt/2 | 0 |
 /// | [`FilteredDifference`] | nothing | the same through 1/(τp + 1) | dt/2 + τ | 0 |
 /// | [`ModelAided`] | the model | −u_b − u_n − Δ̂, Δ̂ the mean uncertainty of the last period | dt/2 | −u_b − u_n |
+///
+/// # Saturated actuators
+/// A difference takes the input that did not arrive for uncertainty, and what is learned from it winds up. Three remedies: [`ModelAided`] counts
+/// only the input that arrived; [`Conditional`] stops learning where it pushes into the limit; [`Bounded`](super::Bounded) limits u_n. The
+/// `paper` example prints a table of them on its robot, over slack to infeasible limits and three noise levels. `ModelAided` and
+/// `Bounded` never diverge there, and match the plain difference where that one works. `ModelAided` with a boundary layer of δ = 2 m/s² is
+/// the recommendation: it has no bound to choose, and stays better than feedback alone everywhere in the table.
 ///
 /// The differences multiply noise on x_n by 1/dt; the filter trades that against delay. A difference looks back at the period
 /// before the sample, the feedback u_b at the sample itself, so in a fast transient they make s differ from −(u_n + Δ) by the

@@ -1,4 +1,5 @@
 mod backward_difference;
+mod conditional;
 mod filtered_difference;
 mod measured;
 mod model_aided;
