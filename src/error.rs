@@ -63,6 +63,16 @@ pub enum Error {
         /// Its value.
         value: f64,
     },
+    /// A matrix that the law inverts is so ill-conditioned that the input would be noise.
+    #[error("{name} has condition number {condition}, above {limit}")]
+    IllConditioned {
+        /// The matrix.
+        name: &'static str,
+        /// Its condition number in the maximum norm, ‖B‖·‖B⁻¹‖; infinite if it is singular.
+        condition: f64,
+        /// The largest condition number allowed.
+        limit: f64,
+    },
     /// A complex number that has to come with its conjugate and does not.
     #[error("{name} = {value} has no conjugate beside it")]
     Unpaired {

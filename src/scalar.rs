@@ -13,3 +13,8 @@ impl<T: RealField + Copy> Scalar for T {}
 pub(crate) fn constant<T: Scalar>(value: f64) -> T {
     nalgebra::convert(value)
 }
+
+/// The spacing of the scalar type's numbers at 1.
+pub(crate) fn epsilon<T: Scalar>() -> T {
+    T::default_epsilon()
+}

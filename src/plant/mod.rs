@@ -10,21 +10,31 @@
 //! needs of its *model*; a [simulation](crate::simulation) asks only for a [`Plant`]. The true plant and the model may
 //! differ: other parameters of the same type, or a plant wrapped in [`Uncertain`].
 //!
+//! Beside the ladder stands [`Decouplable<NX, N, M>`](Decouplable): several inputs, several chains.
+//!
 //! States are column vectors `SVector<T, NX>` counted from 0 (so x₁ of the literature is `x[0]`), inputs
 //! `SVector<T, NU>`, time is in seconds. Each plant states its units.
 //!
 //! This module depends on nothing but [`Scalar`].
 
+mod decouplable;
 mod integrator_chain;
 mod pendulum;
 mod third_order;
+mod tracked_robot;
+mod two_link_arm;
 mod uncertain;
+mod unicycle;
 mod van_der_pol;
 
+pub use decouplable::Decouplable;
 pub use integrator_chain::IntegratorChain;
 pub use pendulum::Pendulum;
 pub use third_order::ThirdOrder;
+pub use tracked_robot::{TrackedRobot, Traction};
+pub use two_link_arm::{Link, TwoLinkArm};
 pub use uncertain::{Matched, Uncertain, Uncertainty};
+pub use unicycle::Unicycle;
 pub use van_der_pol::VanDerPol;
 
 use nalgebra::{SMatrix, SVector};

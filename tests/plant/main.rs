@@ -8,7 +8,10 @@ mod ladder;
 mod pendulum;
 mod support;
 mod third_order;
+mod tracked_robot;
+mod two_link_arm;
 mod uncertain;
+mod unicycle;
 mod van_der_pol;
 
 /// Tests of the given names, each a module that runs a check generic over the scalar at f32 and at f64.
