@@ -22,7 +22,8 @@
 //! | [`integrators`] | fixed-step methods for ẋ = f(t, x) | – |
 //! | [`fuzzy`] | membership functions, rule grid, network | – |
 //! | [`learning`] | sources of ė_n, adaptation rules, compensators, certificates | fuzzy |
-//! | [`controller`] | gains, feedback linearization, CLELC | plant, learning |
+//! | [`actuator`] | saturation, rate limits | – |
+//! | [`controller`] | gains, feedback linearization, CLELC, decoupling, the unicycle | plant, learning, actuator |
 //! | [`trajectory`] | references r(t) with their derivatives: analytic curves, minimum jerk, constant speed | controller |
 //! | [`simulation`] | the sampled loop, figures of merit | all |
 //!
@@ -32,6 +33,7 @@
 //! * `std` (default): elementary functions of the platform. Without it they come from `libm`, and the crate needs neither an
 //!   operating system nor an allocator.
 
+pub mod actuator;
 pub mod controller;
 pub mod fuzzy;
 pub mod integrators;

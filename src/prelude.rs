@@ -3,7 +3,8 @@
 pub use crate::{
     Error, Scalar,
     controller::{
-        Clelc, Command, Controller, FeedbackLinearization, Gains, Measurement, Reference,
+        Clelc, Command, Controller, Decoupling, FeedbackLinearization, Gains, Limited, Measurement,
+        Reference,
     },
     fuzzy::{FuzzyNetwork, Gaussian},
     integrators::{Euler, Heun, Integrator, Rk4},
@@ -14,5 +15,6 @@ pub use crate::{
     },
     plant::{ControlAffine, FeedbackLinearizable, Plant, Uncertain},
     simulation::{ErrorMetrics, Simulation, StepInfo, TotalVariation},
+    trajectory::Trajectory,
 };
 pub use nalgebra::{SMatrix, SVector};

@@ -4,6 +4,9 @@
 //! |---|---|---|
 //! | [`FeedbackLinearization`] | u = b⁻¹·(−a + u_f + u_b) (eq_ndi_controllaw) | a model in chain form |
 //! | [`Clelc`] | u = b⁻¹·(−a + u_f + u_b + u_n) (eq_new_controllaw) | the same and a [compensator](crate::learning::Compensator) |
+//! | [`Decoupling`] | u = B⁻¹·(−a + ν), νᵢ from one [controller a chain](ChainControllers) | several chains |
+//! | [`UnicycleController`](unicycle::UnicycleController) | the same with v̇ = ξ (eq_transformation) | the unicycle robot |
+//! | [`Limited`] | any of them with an [actuator](crate::actuator) behind it, told what arrived | any plant |
 //!
 //! # Conventions
 //! The error is **e = r − x**; gains are positive for negative feedback. A [`Controller`] is a state machine without a clock:
@@ -16,15 +19,22 @@
 //!
 //! This module depends on [`plant`](crate::plant) for models and on [`learning`](crate::learning) for compensators.
 
+mod chain_controllers;
 mod clelc;
+mod decoupling;
 mod feedback_linearization;
 mod gains;
+mod limited;
 mod measurement;
 mod reference;
+pub mod unicycle;
 
+pub use chain_controllers::ChainControllers;
 pub use clelc::{Clelc, ClelcCommand};
+pub use decoupling::{Decoupling, DecouplingCommand};
 pub use feedback_linearization::{FeedbackLinearization, FeedbackLinearizationCommand};
 pub use gains::Gains;
+pub use limited::{Limited, LimitedCommand};
 pub use measurement::Measurement;
 pub use reference::Reference;
 

@@ -4,12 +4,15 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 mod clelc;
+mod decoupling;
 mod feedback_linearization;
 mod gains;
+mod limited;
 mod measurement;
 mod paper;
 mod reference;
 mod support;
+mod unicycle;
 
 /// Tests of the given names, each a module that runs a check generic over the scalar at f32 and at f64.
 macro_rules! at_f32_and_f64 {
