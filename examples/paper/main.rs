@@ -4,6 +4,7 @@
 //! robot", IEEE/ASME Transactions on Mechatronics 24(5), 2019.
 
 mod claims;
+mod mobile_robot;
 mod plot;
 mod third_order;
 
@@ -26,6 +27,8 @@ struct Arguments {
 enum Experiment {
     /// The simulation of a third-order nonlinear system.
     ThirdOrder,
+    /// The tracked robot.
+    MobileRobot,
 }
 
 fn main() -> anyhow::Result<()> {
@@ -36,6 +39,9 @@ fn main() -> anyhow::Result<()> {
     let mut claims = Vec::new();
     if wanted(Experiment::ThirdOrder) {
         claims.extend(third_order::run(&arguments.out.join("third_order"))?);
+    }
+    if wanted(Experiment::MobileRobot) {
+        claims.extend(mobile_robot::run(&arguments.out.join("mobile_robot"))?);
     }
     println!("{}\n", claims::table(&claims));
     claims::write(&arguments.out.join("claims.csv"), &claims)?;
