@@ -17,8 +17,9 @@ use crate::{Error, Scalar, learning::Compensator, plant::FeedbackLinearizable};
 ///   ė_n + u_b = 0 holds as if the model were right.
 /// * With the [`NullCompensator`](crate::learning::NullCompensator) it is feedback linearization, bit for bit.
 ///
-/// Assumes what feedback linearization assumes, and that the input arrives: an actuator that saturates while learning goes on
-/// winds u_n up.
+/// Assumes what feedback linearization assumes. Where the actuator may saturate, learn from
+/// [`ModelAided`](crate::learning::ModelAided) and have the applied input reported, by the measurement or by
+/// [`Limited`](super::Limited): a plain difference winds u_n up.
 ///
 /// # References
 /// E. Kayacan, "Closed-loop error learning control for uncertain nonlinear systems with experimental validation on a

@@ -16,6 +16,9 @@ use crate::{
 /// Each chain's controller is told what it cannot see: the νᵢ that the applied input really amounted to over the last period,
 /// ½·((a + B·u)(k−1) + (a + B·u)(k)), and zᵢ⁽ᴺ⁾ if ẋ is measured.
 ///
+/// The two-link arm (a full B with the inverse mass matrix) and the unicycle with its dynamic extension (B of determinant v) are both of
+/// this form; the [unicycle's controller](super::unicycle) adds no more than the integrator from ξ to v.
+///
 /// Assumes a regular B(x): a condition number above the limit is an `Err`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Decoupling<P, C, const NX: usize, const N: usize, const M: usize>

@@ -11,9 +11,10 @@ use crate::{
 ///
 /// d⁺ = d·e^{−τ}, M⁺² = M² + 2τ, c⁺ = e⁺ − d⁺, σ⁺ = |d⁺|/|M⁺|,
 ///
-/// (τ, of the units of u_n, is taken as the number that it is in the units in use, as in the paper), where e⁺ is the input that is actually measured next. There is no step to choose and no division by (e − c)². All M² of one
-/// input move together, so the normalized firing strengths do not change at all: *under this law the network is an integrator*,
-/// u_n(t) = u_n(0) + α∫ς dt, and its memberships carry no information about e.
+/// where e⁺ is the input that is actually measured next. (τ has the units of u_n and M² has none; as in the paper, τ is taken as the
+/// number that it is in the units in use.) There is no step to choose and no division by (e − c)². All M² of one input move together, so
+/// the normalized firing strengths do not change at all: *under this law the network is an integrator*, u_n(t) = u_n(0) + α∫ς dt, and its
+/// memberships carry no information about e.
 ///
 /// **`Fixed`** leaves them in place. The consequents then store u_n as a function of e, which is remembered where the state
 /// returns to; in exchange u_n also moves when e does.

@@ -64,9 +64,10 @@ pub fn rows(run: &[Sample]) -> Result<Vec<Row>, brunovsky::Error> {
             v_cmd: sample.u[0],
             omega_cmd: sample.u[1],
             u1_b: first.u_b,
-            u1_n: first.u_n,
+            // The null compensator answers −0, which changes no sum; +0 makes 0 of it.
+            u1_n: first.u_n + 0.0,
             u2_b: second.u_b,
-            u2_n: second.u_n,
+            u2_n: second.u_n + 0.0,
         })
     };
     run.iter().map(row).collect()
