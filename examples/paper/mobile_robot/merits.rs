@@ -68,7 +68,9 @@ pub fn merits(runs: &[Vec<Sample>]) -> Result<Merits, Error> {
         all.error += mean(run, error);
         all.error_true += error_true;
         all.worst = all.worst.max(error_true);
-        let limited = |sample: &Sample| f64::from(u8::from(sample.command.decided.is_limited()));
+        let limited = |sample: &Sample| {
+            f64::from(u8::from(sample.u[1] != sample.command.decided.asked.omega))
+        };
         all.saturated += mean(run, limited);
         all.variation += TotalVariation::of(commands)? / seconds;
         all.diverged +=
