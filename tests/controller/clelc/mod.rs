@@ -3,5 +3,6 @@
 mod derivatives;
 mod equivalence;
 mod failures;
+mod gain_margin;
 mod learned;
 mod symmetry;
