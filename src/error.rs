@@ -124,6 +124,10 @@ pub(crate) fn finite_vector<T: Scalar, const N: usize>(
     name: &'static str,
     x: &SVector<T, N>,
 ) -> Result<(), Error> {
+    finite_slice(name, x.as_slice())
+}
+
+pub(crate) fn finite_slice<T: Scalar>(name: &'static str, x: &[T]) -> Result<(), Error> {
     match x.iter().enumerate().find(|(_, entry)| !entry.is_finite()) {
         None => Ok(()),
         Some((index, entry)) => Err(Error::NonFiniteEntry { name, index, value: value(*entry) }),
@@ -143,5 +147,14 @@ pub(crate) fn not_negative<T: Scalar>(name: &'static str, x: T) -> Result<T, Err
         Ok(x)
     } else {
         Err(Error::Negative { name, value: value(x) })
+    }
+}
+
+/// `x`, if it lies below `limit`; both are finite already.
+pub(crate) fn below<T: Scalar>(name: &'static str, x: T, limit: T) -> Result<T, Error> {
+    if x < limit {
+        Ok(x)
+    } else {
+        Err(Error::NotBelow { name, value: value(x), limit: value(limit) })
     }
 }

@@ -34,11 +34,16 @@ impl Claim {
     }
 }
 
+/// An empty table for the terminal.
+pub fn headed<const N: usize>(header: [&str; N]) -> Table {
+    let mut table = Table::new();
+    table.load_preset(ASCII_MARKDOWN).set_header(header);
+    table
+}
+
 /// The claims as a table for the terminal.
 pub fn table(claims: &[Claim]) -> Table {
-    let mut table = Table::new();
-    table.load_preset(ASCII_MARKDOWN);
-    table.set_header(["claim", "paper", "measured", "verdict"]);
+    let mut table = headed(["claim", "paper", "measured", "verdict"]);
     for claim in claims {
         table.add_row([&claim.claim, &claim.paper, &claim.measured, claim.verdict]);
     }

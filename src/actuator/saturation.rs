@@ -3,7 +3,7 @@ use nalgebra::SVector;
 use super::Actuator;
 use crate::{
     Error, Scalar,
-    error::{finite_vector, positive, value},
+    error::{below, finite_vector, positive},
 };
 
 /// Limits on each input: uᵢ ↦ min(max(uᵢ, leastᵢ), mostᵢ).
@@ -25,12 +25,10 @@ impl<T: Scalar, const NU: usize> Saturation<T, NU> {
         let (least, most) = (least.into(), most.into());
         finite_vector("least", &least)?;
         finite_vector("most", &most)?;
-        match least.iter().zip(most.iter()).find(|(least, most)| least >= most) {
-            None => Ok(Self { least, most }),
-            Some((least, most)) => {
-                Err(Error::NotBelow { name: "least", value: value(*least), limit: value(*most) })
-            }
+        for (least, most) in least.iter().zip(most.iter()) {
+            below("least", *least, *most)?;
         }
+        Ok(Self { least, most })
     }
 
     /// Limits ±`size` for each input.

@@ -3,7 +3,7 @@ use num_traits::One;
 
 use crate::{
     Error, Scalar,
-    error::{finite_vector, positive, value},
+    error::{below, finite, finite_vector, positive, value},
     scalar::constant,
 };
 
@@ -79,13 +79,10 @@ impl<T: Scalar, const N: usize> Gains<T, N> {
 }
 
 fn checked<T: Scalar>(pole: &Complex<T>) -> Result<(), Error> {
-    crate::error::finite("pole", pole.re)?;
-    crate::error::finite("pole", pole.im)?;
-    if pole.re < T::zero() {
-        Ok(())
-    } else {
-        Err(Error::NotBelow { name: "real part of pole", value: value(pole.re), limit: 0.0 })
-    }
+    finite("pole", pole.re)?;
+    finite("pole", pole.im)?;
+    below("real part of pole", pole.re, T::zero())?;
+    Ok(())
 }
 
 /// A real polynomial has each complex root as often as its conjugate.

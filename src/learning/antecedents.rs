@@ -1,6 +1,6 @@
 use crate::{
     Error, Scalar,
-    error::{positive, value},
+    error::{below, positive},
     scalar::constant,
 };
 
@@ -47,15 +47,7 @@ impl<T: Scalar> Antecedents<T> {
 
     pub(super) fn validated(self) -> Result<Self, Error> {
         if let Antecedents::Flow { floor, ceiling } = self {
-            positive("floor", floor)?;
-            positive("ceiling", ceiling)?;
-            if floor >= ceiling {
-                return Err(Error::NotBelow {
-                    name: "floor",
-                    value: value(floor),
-                    limit: value(ceiling),
-                });
-            }
+            below("floor", positive("floor", floor)?, positive("ceiling", ceiling)?)?;
         }
         Ok(self)
     }

@@ -1,6 +1,6 @@
 use crate::{
     Error, Scalar,
-    error::{finite, value},
+    error::{below, finite},
     scalar::constant,
 };
 
@@ -63,14 +63,8 @@ impl<T: Scalar> ErrorMetrics<T> {
         let mut next = *self;
         match self.last {
             None => next.start = t,
-            Some((before, _)) if before >= t => {
-                return Err(Error::NotBelow {
-                    name: "time of the sample before",
-                    value: value(before),
-                    limit: value(t),
-                });
-            }
             Some((before, last)) => {
+                below("time of the sample before", before, t)?;
                 let half = finite("time between samples", t - before)? * constant(0.5);
                 next.iae = finite("IAE", next.iae + half * (last + size))?;
                 next.ise = finite("ISE", next.ise + half * (last * last + size * size))?;

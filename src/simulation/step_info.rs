@@ -1,6 +1,6 @@
 use crate::{
     Error, Scalar,
-    error::{finite, value},
+    error::{below, finite, value},
     scalar::constant,
 };
 
@@ -74,14 +74,8 @@ impl<T: Scalar> StepInfo<T> {
     pub fn push(&mut self, t: T, y: T) -> Result<(), Error> {
         finite("t", t)?;
         let eta = finite("normalized y", (finite("y", y)? - self.initial) / self.span)?;
-        if let Some((before, _)) = self.last
-            && before >= t
-        {
-            return Err(Error::NotBelow {
-                name: "time of the sample before",
-                value: value(before),
-                limit: value(t),
-            });
+        if let Some((before, _)) = self.last {
+            below("time of the sample before", before, t)?;
         }
         let from = self.last.unwrap_or((t, eta));
         let to = (t, eta);

@@ -3,7 +3,7 @@ use nalgebra::SVector;
 use super::Trajectory;
 use crate::{
     Error, Scalar,
-    error::{finite, value},
+    error::{below, finite},
     scalar::constant,
 };
 
@@ -66,13 +66,8 @@ impl<T: Scalar> Limits<T> {
 }
 
 fn span<T: Scalar>(from: T, to: T) -> Result<(), Error> {
-    finite("from", from)?;
-    finite("to", to)?;
-    if from < to {
-        Ok(())
-    } else {
-        Err(Error::NotBelow { name: "from", value: value(from), limit: value(to) })
-    }
+    below("from", finite("from", from)?, finite("to", to)?)?;
+    Ok(())
 }
 
 /// |ẋ·ÿ − ẏ·ẍ|/|ṙ|² in the plane; the division comes first, so that the square of a small speed cannot vanish.

@@ -6,7 +6,7 @@ use super::{
 };
 use crate::{
     Error, Scalar,
-    error::{finite_vector, value},
+    error::{below, finite_slice},
 };
 
 /// The curve of least ∫|r⃛|² dt through M points at given times: a quintic spline with four continuous derivatives.
@@ -57,13 +57,10 @@ impl<T: Scalar, const D: usize, const M: usize> MinimumJerk<T, D, M> {
     ) -> Result<Self, Error> {
         const { assert!(M >= 2, "a curve goes through two points at least") };
         let vectors = finite_points(&points)?;
-        finite_vector("times", &SVector::from(times))?;
+        finite_slice("times", &times)?;
         for pair in times.windows(2) {
-            if let [before, after] = pair
-                && before >= after
-            {
-                let name = "time of the point before";
-                return Err(Error::NotBelow { name, value: value(*before), limit: value(*after) });
+            if let [before, after] = pair {
+                below("time of the point before", *before, *after)?;
             }
         }
         for [velocity, acceleration] in [start, end] {
@@ -93,8 +90,6 @@ impl<T: Scalar, const D: usize, const M: usize> Trajectory<D> for MinimumJerk<T,
 pub(super) fn finite_points<T: Scalar, const D: usize, const M: usize>(
     points: &[[T; D]; M],
 ) -> Result<[SVector<T, D>; M], Error> {
-    match points.as_flattened().iter().enumerate().find(|(_, x)| !x.is_finite()) {
-        None => Ok(points.map(SVector::from)),
-        Some((index, x)) => Err(Error::NonFiniteEntry { name: "points", index, value: value(*x) }),
-    }
+    finite_slice("points", points.as_flattened())?;
+    Ok(points.map(SVector::from))
 }

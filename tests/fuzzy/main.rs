@@ -1,16 +1,8 @@
 //! The neuro-fuzzy network against its textbook definition, symmetries and closed forms.
 
-/// Runs each law, a function generic over the scalar, as one test in `f32` and one in `f64`.
-macro_rules! in_both_precisions {
-    ($($law:ident),+ $(,)?) => {
-        mod in_f32 {
-            $(#[test] fn $law() { super::$law::<f32>(); })+
-        }
-        mod in_f64 {
-            $(#[test] fn $law() { super::$law::<f64>(); })+
-        }
-    };
-}
+#[macro_use]
+#[path = "../common/laws.rs"]
+mod laws;
 
 /// Calls `law::<T, I, K>()` for networks with one to six inputs.
 macro_rules! for_every_shape {

@@ -3,7 +3,7 @@
 use super::{
     DELTA, EXPERIMENT, Path2, SPEED, Sample, YAW_RATE_LIMIT,
     data::{Row, rows},
-    merits::mean_of,
+    merits::mean_on_track,
     tables::Settings,
 };
 use crate::claims::Claim;
@@ -35,8 +35,8 @@ pub fn judge(
 ) -> anyhow::Result<Vec<Claim>> {
     let mut claims = errors(settings);
     let (flc, clelc) = (rows(flc)?, rows(clelc)?);
-    let heading = |rows: &[Row]| mean_of(rows, |row| (row.theta_r - row.theta).abs());
-    let speed = mean_of(&clelc, |row| row.v);
+    let heading = |rows: &[Row]| mean_on_track(rows, |row| (row.theta_r - row.theta).abs());
+    let speed = mean_on_track(&clelc, |row| row.v);
     let fastest = clelc.iter().map(|row| row.omega_cmd.abs()).fold(0.0, f64::max);
     claims.push(claim(
         "heading error",
@@ -52,8 +52,8 @@ pub fn judge(
         ),
         ("u2", |row| row.u2_b, |row| row.u2_n),
     ] {
-        let feedback = mean_of(&clelc, |row| feedback(row).abs());
-        let learned = mean_of(&clelc, |row| learned(row).abs());
+        let feedback = mean_on_track(&clelc, |row| feedback(row).abs());
+        let learned = mean_on_track(&clelc, |row| learned(row).abs());
         let measured = format!("mean |u_b| = {feedback:.4}, mean |u_n| = {learned:.4} m/s²");
         claims.push(claim(
             format!("the learned term leads in {axis}"),

@@ -47,15 +47,17 @@ pub fn on_track(run: &[Sample]) -> impl Iterator<Item = &Sample> {
 
 /// The mean of `f` over the samples on track.
 pub fn mean(run: &[Sample], f: impl Fn(&Sample) -> f64) -> f64 {
-    let (sum, count) =
-        on_track(run).fold((0.0, 0.0), |(sum, n), sample| (sum + f(sample), n + 1.0));
-    sum / count
+    mean_of(on_track(run).map(f))
 }
 
 /// The mean of `f` over the rows on track.
-pub fn mean_of(rows: &[Row], f: impl Fn(&Row) -> f64) -> f64 {
-    let on_track: Vec<_> = rows.iter().filter(|row| row.t >= ON_TRACK).map(f).collect();
-    on_track.iter().sum::<f64>() / on_track.len() as f64
+pub fn mean_on_track(rows: &[Row], f: impl Fn(&Row) -> f64) -> f64 {
+    mean_of(rows.iter().filter(|row| row.t >= ON_TRACK).map(f))
+}
+
+fn mean_of(values: impl Iterator<Item = f64>) -> f64 {
+    let (sum, count) = values.fold((0.0, 0.0), |(sum, count), value| (sum + value, count + 1.0));
+    sum / count
 }
 
 /// The merits of all `runs`.

@@ -5,7 +5,7 @@ use brunovsky::{
     learning::{Bounded, Conditional},
     prelude::*,
 };
-use comfy_table::{Table, presets::ASCII_MARKDOWN};
+use comfy_table::Table;
 
 use super::{
     Axes, DELTA, Field, Path2, RECOMMENDED_DELTA, SEEDS, clelc, flc,
@@ -14,6 +14,7 @@ use super::{
     sensors::Accuracy,
     simulate,
 };
+use crate::claims::headed;
 
 /// The settings of the study, by name.
 pub struct Settings {
@@ -50,8 +51,7 @@ pub fn settings(path: &Path2, field: Field) -> Result<Settings, Error> {
 
 /// The settings as a table.
 pub fn of_settings(settings: &Settings) -> Table {
-    let mut table = Table::new();
-    table.load_preset(ASCII_MARKDOWN).set_header([
+    let mut table = headed([
         "",
         "error in m",
         "true error in m",
@@ -83,8 +83,7 @@ pub fn of_settings(settings: &Settings) -> Table {
 
 /// Policies against windup, under limits that leave the drives room and limits that do not, at several noise levels.
 pub fn policies(path: &Path2, field: Field) -> Result<Table, Error> {
-    let mut table = Table::new();
-    table.load_preset(ASCII_MARKDOWN).set_header([
+    let mut table = headed([
         "limit in rad/s",
         "noise",
         "δ",
@@ -107,13 +106,14 @@ pub fn policies(path: &Path2, field: Field) -> Result<Table, Error> {
             let accuracy =
                 Accuracy { speed: noise * speed, heading: noise * heading, ..field.accuracy };
             let field = Field { accuracy, limit };
+            let flc = cell(over_seeds(flc()?, path, field)?);
             for delta in [DELTA, RECOMMENDED_DELTA] {
                 let rule = rule(Switching::Implicit { delta })?;
                 table.add_row([
                     limit.to_string(),
                     format!("{noise} ×"),
                     delta.to_string(),
-                    cell(over_seeds(flc()?, path, field)?),
+                    flc.clone(),
                     cell(over_seeds(clelc(difference, rule)?, path, field)?),
                     cell(over_seeds(clelc(conditional, rule)?, path, field)?),
                     cell(over_seeds(clelc(ModelAided::new(), rule)?, path, field)?),

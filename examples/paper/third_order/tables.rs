@@ -1,19 +1,14 @@
 //! FLC beside CLELC, and CLELC in all its variants.
 
 use brunovsky::prelude::*;
-use comfy_table::{Table, presets::ASCII_MARKDOWN};
+use comfy_table::Table;
 
 use super::{
     ALPHA, DELTA, PERIOD, Sample,
     merits::{largest, relative_variation, response, steady, unlearned},
     simulate,
 };
-
-fn table<const N: usize>(header: [&str; N]) -> Table {
-    let mut table = Table::new();
-    table.load_preset(ASCII_MARKDOWN).set_header(header);
-    table
-}
+use crate::claims::headed;
 
 /// Three significant digits.
 pub fn figure(value: f64) -> String {
@@ -52,7 +47,7 @@ pub fn comparison(flc: &[Sample], clelc: &[Sample]) -> Result<Table, Error> {
         "uncertain: max abs u_n",
         "uncertain: max abs (u_n + Δ)",
     ];
-    let mut table = table(["", "FLC", "CLELC"]);
+    let mut table = headed(["", "FLC", "CLELC"]);
     for ((name, flc), clelc) in names.into_iter().zip(merits(flc)?).zip(merits(clelc)?) {
         table.add_row([name, &flc, &clelc]);
     }
@@ -87,7 +82,7 @@ pub fn variants(rule: SlidingMode<f64>) -> Result<Table, Error> {
         ("(gradient descent, 25/s)", "difference", PERIOD, simulate(difference, descent, PERIOD)?),
         ("(no learning: FLC)", "", PERIOD, simulate(difference, NullRule, PERIOD)?),
     ];
-    let mut table = table([
+    let mut table = headed([
         "sign",
         "ė_n",
         "h in s",
