@@ -1,5 +1,6 @@
 use crate::{
     Error, Scalar,
+    elementary::hypot,
     error::{not_negative, positive},
     scalar::constant,
 };
@@ -74,7 +75,7 @@ impl<T: Scalar> Switching<T> {
 /// may become 0 or infinite keep every intermediate result from overflowing into a NaN.
 fn implicit<T: Scalar>(size: T, reach: T, delta: T) -> T {
     let half_b = (delta + reach - size) * constant(0.5);
-    let root = half_b.hypot(delta.sqrt() * size.sqrt());
+    let root = hypot(half_b, delta.sqrt() * size.sqrt());
     if half_b > T::zero() {
         let ratio = size / (half_b + root);
         ratio / (T::one() + ratio)

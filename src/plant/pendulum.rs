@@ -3,6 +3,7 @@ use nalgebra::SVector;
 use super::FeedbackLinearizable;
 use crate::{
     Error, Scalar,
+    elementary::{cos, sin},
     error::{not_negative, positive},
 };
 
@@ -40,7 +41,7 @@ impl<T: Scalar> Pendulum<T> {
     /// The mechanical energy ½·m·l²·θ̇² + m·g·l·(1 − cos θ) in J, zero at rest hanging down.
     pub fn energy(&self, x: &SVector<T, 2>) -> T {
         let kinetic = self.inertia() * x[1] * x[1] * crate::scalar::constant(0.5);
-        kinetic + self.mass * self.gravity * self.length * (T::one() - x[0].cos())
+        kinetic + self.mass * self.gravity * self.length * (T::one() - cos(x[0]))
     }
 }
 
@@ -48,7 +49,7 @@ impl<T: Scalar> FeedbackLinearizable<2> for Pendulum<T> {
     type Scalar = T;
 
     fn drift(&self, x: &SVector<T, 2>) -> T {
-        -(self.gravity / self.length) * x[0].sin() - self.damping / self.inertia() * x[1]
+        -(self.gravity / self.length) * sin(x[0]) - self.damping / self.inertia() * x[1]
     }
 
     fn input_gain(&self, _x: &SVector<T, 2>) -> T {

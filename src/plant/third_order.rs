@@ -3,7 +3,7 @@ use core::marker::PhantomData;
 use nalgebra::SVector;
 
 use super::FeedbackLinearizable;
-use crate::{Scalar, scalar::constant};
+use crate::{Scalar, elementary::sin, scalar::constant};
 
 /// The third-order system of the simulation study: a(x) = −2x₁ − x₂ − sin x₃ + e^{x₁}, b(x) = 1 (eq_3rdsystems). Dimensionless.
 ///
@@ -30,7 +30,7 @@ impl<T: Scalar> FeedbackLinearizable<3> for ThirdOrder<T> {
     type Scalar = T;
 
     fn drift(&self, x: &SVector<T, 3>) -> T {
-        constant::<T>(-2.0) * x[0] - x[1] - x[2].sin() + x[0].exp()
+        constant::<T>(-2.0) * x[0] - x[1] - sin(x[2]) + x[0].exp()
     }
 
     fn input_gain(&self, _x: &SVector<T, 3>) -> T {

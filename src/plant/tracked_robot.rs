@@ -3,6 +3,7 @@ use nalgebra::SVector;
 use super::Plant;
 use crate::{
     Error, Scalar,
+    elementary::sin_cos,
     error::{finite, positive},
 };
 
@@ -72,7 +73,7 @@ impl<T: Scalar, F: Fn(T, T) -> Traction<T>> Plant<5, 2> for TrackedRobot<T, F> {
 
     fn derivative(&self, _t: T, x: &SVector<T, 5>, u: &SVector<T, 2>) -> SVector<T, 5> {
         let [forward, sideways, yaw_rate] = self.over_ground(x);
-        let (sin, cos) = x[2].sin_cos();
+        let (sin, cos) = sin_cos(x[2]);
         SVector::from([
             forward * cos - sideways * sin,
             forward * sin + sideways * cos,

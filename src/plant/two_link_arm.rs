@@ -3,6 +3,7 @@ use nalgebra::{SMatrix, SVector};
 use super::{ControlAffine, Decouplable};
 use crate::{
     Error, Scalar,
+    elementary::{cos, sin},
     error::{not_negative, positive},
     scalar::constant,
 };
@@ -106,7 +107,7 @@ impl<T: Scalar> TwoLinkArm<T> {
     /// The mass matrix M(q) in kg·m², symmetric and positive definite.
     pub fn mass_matrix(&self, q: &SVector<T, 2>) -> SMatrix<T, 2, 2> {
         let outer = self.outer_inertia();
-        let coupling = self.coupling() * q[1].cos();
+        let coupling = self.coupling() * cos(q[1]);
         let inner = self.links[0].about_joint() + self.carried() * self.reach() * self.reach();
         let off_diagonal = outer + coupling;
         SMatrix::from([
@@ -117,15 +118,15 @@ impl<T: Scalar> TwoLinkArm<T> {
 
     /// The matrix C(q, q̇) of Coriolis and centrifugal torques C·q̇ in N·m, of Christoffel symbols: Ṁ − 2C is skew-symmetric.
     pub fn coriolis_matrix(&self, q: &SVector<T, 2>, q_dot: &SVector<T, 2>) -> SMatrix<T, 2, 2> {
-        let h = -self.coupling() * q[1].sin();
+        let h = -self.coupling() * sin(q[1]);
         SMatrix::from([[h * q_dot[1], -h * q_dot[0]], [h * (q_dot[0] + q_dot[1]), T::zero()]])
     }
 
     /// The torques G(q) in N·m that hold the arm against gravity.
     pub fn gravity_torque(&self, q: &SVector<T, 2>) -> SVector<T, 2> {
         let (first, second) = self.levers();
-        let outer = self.gravity * second * (q[0] + q[1]).cos();
-        SVector::from([self.gravity * first * q[0].cos() + outer, outer])
+        let outer = self.gravity * second * cos(q[0] + q[1]);
+        SVector::from([self.gravity * first * cos(q[0]) + outer, outer])
     }
 
     /// The mechanical energy ½·q̇ᵀ·M·q̇ + V(q) in J, V = 0 where both links are horizontal.
@@ -134,7 +135,7 @@ impl<T: Scalar> TwoLinkArm<T> {
     pub fn energy(&self, x: &SVector<T, 4>) -> T {
         let (q, q_dot) = halves(x);
         let (first, second) = self.levers();
-        let potential = self.gravity * (first * q[0].sin() + second * (q[0] + q[1]).sin());
+        let potential = self.gravity * (first * sin(q[0]) + second * sin(q[0] + q[1]));
         q_dot.dot(&(self.mass_matrix(&q) * q_dot)) * constant(0.5) + potential
     }
 
@@ -172,7 +173,7 @@ impl<T: Scalar> TwoLinkArm<T> {
     fn inverse_mass_matrix(&self, q: &SVector<T, 2>) -> SMatrix<T, 2, 2> {
         let [first, second] = &self.links;
         let apart = second.length - second.centre;
-        let across = self.levers().1 * q[1].sin();
+        let across = self.levers().1 * sin(q[1]);
         // det M with Steiner's theorem about the common centre of mass of link 2 and payload: no term is negative and the first
         // is positive, where M₁₁·M₂₂ − M₁₂² would cancel.
         let determinant = first.about_joint() * self.outer_inertia()

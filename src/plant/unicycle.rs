@@ -3,7 +3,7 @@ use core::marker::PhantomData;
 use nalgebra::{SMatrix, SVector};
 
 use super::{ControlAffine, Decouplable};
-use crate::Scalar;
+use crate::{Scalar, elementary::sin_cos};
 
 /// The unicycle with its speed as a state: ṗ_x = v·cos θ, ṗ_y = v·sin θ, θ̇ = ω, v̇ = ξ (eq_mobilerobotmodel with the dynamic extension).
 ///
@@ -32,7 +32,7 @@ impl<T: Scalar> ControlAffine<4, 2> for Unicycle<T> {
     type Scalar = T;
 
     fn drift_field(&self, x: &SVector<T, 4>) -> SVector<T, 4> {
-        let (sin, cos) = x[2].sin_cos();
+        let (sin, cos) = sin_cos(x[2]);
         SVector::from([x[3] * cos, x[3] * sin, T::zero(), T::zero()])
     }
 
@@ -49,7 +49,7 @@ impl<T: Scalar> Decouplable<4, 2, 2> for Unicycle<T> {
     type Scalar = T;
 
     fn chains(&self, x: &SVector<T, 4>) -> [SVector<T, 2>; 2] {
-        let (sin, cos) = x[2].sin_cos();
+        let (sin, cos) = sin_cos(x[2]);
         [SVector::from([x[0], x[3] * cos]), SVector::from([x[1], x[3] * sin])]
     }
 
@@ -58,7 +58,7 @@ impl<T: Scalar> Decouplable<4, 2, 2> for Unicycle<T> {
     }
 
     fn decoupling_matrix(&self, x: &SVector<T, 4>) -> SMatrix<T, 2, 2> {
-        let (sin, cos) = x[2].sin_cos();
+        let (sin, cos) = sin_cos(x[2]);
         SMatrix::from_columns(&[
             SVector::from([cos, sin]),
             SVector::from([-x[3] * sin, x[3] * cos]),

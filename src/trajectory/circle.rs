@@ -3,6 +3,7 @@ use nalgebra::SVector;
 use super::{Limits, Trajectory};
 use crate::{
     Error, Scalar,
+    elementary::sin_cos,
     error::{finite, finite_vector, positive},
 };
 
@@ -39,7 +40,7 @@ impl<T: Scalar> Trajectory<2> for Circle<T> {
     type Scalar = T;
 
     fn derivatives(&self, t: T, out: &mut [SVector<T, 2>]) {
-        let (sin, cos) = (self.rate * t + self.phase).sin_cos();
+        let (sin, cos) = sin_cos(self.rate * t + self.phase);
         let mut around = self.centre;
         let mut arm = SVector::from([cos, sin]) * self.radius;
         for out in out {

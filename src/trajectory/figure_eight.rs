@@ -3,6 +3,7 @@ use nalgebra::SVector;
 use super::Trajectory;
 use crate::{
     Error, Scalar,
+    elementary::sin_cos,
     error::{finite, positive},
     scalar::constant,
 };
@@ -50,7 +51,7 @@ struct Wave<T> {
 
 impl<T: Scalar> Wave<T> {
     fn new(amplitude: T, rate: T, t: T) -> Self {
-        let (sin, cos) = (rate * t).sin_cos();
+        let (sin, cos) = sin_cos(rate * t);
         Self { rate, sin: sin * amplitude, cos: cos * amplitude }
     }
 

@@ -1,6 +1,7 @@
 use crate::{
     Error, Scalar,
     controller::Reference,
+    elementary::hypot,
     error::{finite, value},
     scalar::constant,
 };
@@ -26,7 +27,7 @@ impl Direction {
 
 /// The speed v_d = ±√(ṙ_x² + ṙ_y²) in m/s that follows a planar reference, negative in reverse.
 pub fn feedforward_speed<T: Scalar>([x, y]: &[Reference<T, 2>; 2], direction: Direction) -> T {
-    direction.sign::<T>() * x.r[1].hypot(y.r[1])
+    direction.sign::<T>() * hypot(x.r[1], y.r[1])
 }
 
 /// The yaw rate ω_d = (r̈_y·ṙ_x − r̈_x·ṙ_y)/(ṙ_x² + ṙ_y²) in rad/s that follows a planar reference, > 0 to the left; the same forward and in
@@ -55,7 +56,7 @@ pub fn heading<T: Scalar>([x, y]: &[Reference<T, 2>; 2], direction: Direction) -
 }
 
 fn moving<T: Scalar>(x: T, y: T) -> Result<T, Error> {
-    let speed = finite("reference speed", x.hypot(y))?;
+    let speed = finite("reference speed", hypot(x, y))?;
     if speed > T::zero() {
         Ok(speed)
     } else {
