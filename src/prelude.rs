@@ -4,14 +4,14 @@ pub use crate::{
     Error, Scalar,
     controller::{
         Clelc, Command, Controller, Decoupling, FeedbackLinearization, Gains, Limited, Measurement,
-        Reference,
+        Mode, Reference, Supervised,
     },
     fuzzy::{FuzzyNetwork, Gaussian},
     integrators::{Euler, Heun, Integrator, Rk4},
     learning::{
         Antecedents, BackwardDifference, Certificate, Compensator, FilteredDifference,
-        GradientDescent, Measured, ModelAided, Monitor, NeuroFuzzy, NullCompensator, NullRule,
-        SlidingMode, Switching,
+        GradientDescent, LearningMode, Measured, ModelAided, Monitor, NeuroFuzzy, NullCompensator,
+        NullRule, SlidingMode, Switching, Watchdog,
     },
     plant::{ControlAffine, FeedbackLinearizable, Plant, Uncertain},
     simulation::{ErrorMetrics, Simulation, StepInfo, TotalVariation},

@@ -1,7 +1,7 @@
 use nalgebra::SVector;
 
 use super::{Command, Controller, Measurement, Reference};
-use crate::{Error, Scalar};
+use crate::{Error, Scalar, learning::LearningMode};
 
 /// M controllers of chains of order N, each for one output of a decoupled plant: an array of one kind, or a pair of two kinds.
 ///
@@ -24,6 +24,9 @@ pub trait ChainControllers<T, const N: usize, const M: usize>: Clone {
 
     /// Resets every controller.
     fn reset_all(&mut self);
+
+    /// [`Controller::set_learning`] of every controller.
+    fn set_learning_all(&mut self, mode: LearningMode);
 }
 
 impl<T, C, const N: usize, const M: usize> ChainControllers<T, N, M> for [C; M]
@@ -55,6 +58,10 @@ where
     fn reset_all(&mut self) {
         self.iter_mut().for_each(Controller::reset);
     }
+
+    fn set_learning_all(&mut self, mode: LearningMode) {
+        self.iter_mut().for_each(|controller| controller.set_learning(mode));
+    }
 }
 
 impl<T, A, B, const N: usize> ChainControllers<T, N, 2> for (A, B)
@@ -78,5 +85,10 @@ where
     fn reset_all(&mut self) {
         self.0.reset();
         self.1.reset();
+    }
+
+    fn set_learning_all(&mut self, mode: LearningMode) {
+        self.0.set_learning(mode);
+        self.1.set_learning(mode);
     }
 }

@@ -4,7 +4,11 @@ use super::{
     Command, Controller, FeedbackLinearization, Measurement, Reference,
     feedback_linearization::linearizing,
 };
-use crate::{Error, Scalar, learning::Compensator, plant::FeedbackLinearizable};
+use crate::{
+    Error, Scalar,
+    learning::{Compensator, LearningMode},
+    plant::FeedbackLinearizable,
+};
 
 /// Closed-loop error learning control: u = b(x)⁻¹·(−a(x) + u_f + u_b + u_n) (eq_new_controllaw).
 ///
@@ -30,6 +34,7 @@ pub struct Clelc<P: FeedbackLinearizable<N>, C, const N: usize> {
     compensator: C,
     initial: C,
     last: P::Scalar,
+    learning: LearningMode,
 }
 
 /// An input of [`Clelc`], its shares, and what was learned from.
@@ -56,7 +61,13 @@ impl<T: Scalar> Command<T, 1> for ClelcCommand<T> {
 impl<P: FeedbackLinearizable<N>, C: Compensator<P::Scalar, N>, const N: usize> Clelc<P, C, N> {
     /// `base` with `compensator` in parallel.
     pub fn new(base: FeedbackLinearization<P, N>, compensator: C) -> Self {
-        Self { base, initial: compensator.clone(), compensator, last: nalgebra::zero() }
+        Self {
+            base,
+            initial: compensator.clone(),
+            compensator,
+            last: nalgebra::zero(),
+            learning: LearningMode::Active,
+        }
     }
 
     /// The feedback linearization inside.
@@ -91,7 +102,7 @@ impl<P: FeedbackLinearizable<N>, C: Compensator<P::Scalar, N>, const N: usize> C
         reference: &Self::Reference,
         dt: P::Scalar,
     ) -> Result<Self::Command, Error> {
-        let at = self.base.closed_loop(measurement, reference, dt, self.last)?;
+        let at = self.base.closed_loop(measurement, reference, dt, self.last, self.learning)?;
         let (learned, compensation) = self.compensator.advanced(&at, dt)?;
         let u = linearizing(&at, at.u_f + at.u_b + compensation.u_n)?;
 
@@ -103,5 +114,9 @@ impl<P: FeedbackLinearizable<N>, C: Compensator<P::Scalar, N>, const N: usize> C
     fn reset(&mut self) {
         self.compensator = self.initial.clone();
         self.last = nalgebra::zero();
+    }
+
+    fn set_learning(&mut self, mode: LearningMode) {
+        self.learning = mode;
     }
 }

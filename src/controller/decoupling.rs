@@ -4,6 +4,7 @@ use super::{ChainControllers, Command, Controller, Measurement, Reference};
 use crate::{
     Error, Scalar,
     error::{finite_vector, positive, value},
+    learning::LearningMode,
     plant::Decouplable,
     scalar::{constant, epsilon},
 };
@@ -152,6 +153,10 @@ where
         self.chains.reset_all();
         self.input = SVector::zeros();
         self.last = None;
+    }
+
+    fn set_learning(&mut self, mode: LearningMode) {
+        self.chains.set_learning_all(mode);
     }
 }
 

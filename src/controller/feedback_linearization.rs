@@ -4,7 +4,7 @@ use super::{Command, Controller, Gains, Measurement, Reference};
 use crate::{
     Error, Scalar,
     error::{finite, positive, value},
-    learning::ClosedLoop,
+    learning::{ClosedLoop, LearningMode},
     plant::FeedbackLinearizable,
 };
 
@@ -53,13 +53,14 @@ impl<P: FeedbackLinearizable<N>, const N: usize> FeedbackLinearization<P, N> {
         &self.gains
     }
 
-    /// The parts of the law at one sample, checked; `last` is the input of the period before.
+    /// The parts of the law at one sample, checked; `last` is the input of the period before, `learning` for a compensator.
     pub(super) fn closed_loop(
         &self,
         measurement: &Measurement<P::Scalar, N, 1>,
         reference: &Reference<P::Scalar, N>,
         dt: P::Scalar,
         last: P::Scalar,
+        learning: LearningMode,
     ) -> Result<ClosedLoop<P::Scalar, N>, Error> {
         positive("dt", dt)?;
         measurement.validate()?;
@@ -76,6 +77,7 @@ impl<P: FeedbackLinearizable<N>, const N: usize> FeedbackLinearization<P, N> {
             u: measurement.applied.map_or(last, |applied| applied[0]),
             asked: last,
             rate: measurement.x_dot.map(|x_dot| x_dot[N - 1]),
+            learning,
         })
     }
 }
@@ -109,7 +111,8 @@ impl<P: FeedbackLinearizable<N>, const N: usize> Controller<N, 1> for FeedbackLi
         reference: &Self::Reference,
         dt: P::Scalar,
     ) -> Result<Self::Command, Error> {
-        let at = self.closed_loop(measurement, reference, dt, nalgebra::zero())?;
+        let at =
+            self.closed_loop(measurement, reference, dt, nalgebra::zero(), LearningMode::Off)?;
         let (u_f, u_b) = (at.u_f, at.u_b);
         let u = linearizing(&at, u_f + u_b)?;
         Ok(FeedbackLinearizationCommand { u, u_f, u_b })

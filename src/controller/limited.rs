@@ -1,7 +1,7 @@
 use nalgebra::SVector;
 
 use super::{Command, Controller, Measurement};
-use crate::{Error, actuator::Actuator};
+use crate::{Error, actuator::Actuator, learning::LearningMode};
 
 /// A controller behind whose command stands an actuator with limits, and which is told what arrived.
 ///
@@ -47,6 +47,11 @@ impl<C, A: Clone, T, const NU: usize> Limited<C, A, T, NU> {
     pub fn controller(&self) -> &C {
         &self.controller
     }
+
+    /// The controller inside, to be changed.
+    pub fn controller_mut(&mut self) -> &mut C {
+        &mut self.controller
+    }
 }
 
 impl<C, A, const NX: usize, const NU: usize> Controller<NX, NU> for Limited<C, A, C::Scalar, NU>
@@ -81,5 +86,9 @@ where
         self.controller.reset();
         self.actuator = self.start.clone();
         self.arrived = None;
+    }
+
+    fn set_learning(&mut self, mode: LearningMode) {
+        self.controller.set_learning(mode);
     }
 }

@@ -7,6 +7,7 @@
 //! | [`Decoupling`] | u = B⁻¹·(−a + ν), νᵢ from one [controller a chain](ChainControllers) | several chains |
 //! | [`UnicycleController`](unicycle::UnicycleController) | the same with v̇ = ξ (eq_transformation) | the unicycle robot |
 //! | [`Limited`] | any of them with an [actuator](crate::actuator) behind it, told what arrived | any plant |
+//! | [`Supervised`] | any of them and an operator, who takes over and hands back without a bump | any plant |
 //!
 //! # Conventions
 //! The error is **e = r − x**; gains are positive for negative feedback. A [`Controller`] is a state machine without a clock:
@@ -16,6 +17,8 @@
 //! the loop will run at). The output is meant to be held until the next call.
 //!
 //! Whatever a call returns as `Err`, it leaves the controller exactly as it was before.
+//!
+//! A controller is a value: a copy of it is a snapshot, and assigning the copy restores it, to the last bit.
 //!
 //! This module depends on [`plant`](crate::plant) for models and on [`learning`](crate::learning) for compensators.
 
@@ -27,6 +30,7 @@ mod gains;
 mod limited;
 mod measurement;
 mod reference;
+mod supervised;
 pub mod unicycle;
 
 pub use chain_controllers::ChainControllers;
@@ -37,10 +41,11 @@ pub use gains::Gains;
 pub use limited::{Limited, LimitedCommand};
 pub use measurement::Measurement;
 pub use reference::Reference;
+pub use supervised::{Mode, Supervised, SupervisedCommand};
 
 use nalgebra::SVector;
 
-use crate::{Error, Scalar};
+use crate::{Error, Scalar, learning::LearningMode};
 
 /// A sampled controller for plants with NX states and NU inputs.
 pub trait Controller<const NX: usize, const NU: usize> {
@@ -65,6 +70,12 @@ pub trait Controller<const NX: usize, const NU: usize> {
 
     /// Back to the state after construction: memory and everything learned is forgotten, parameters are kept.
     fn reset(&mut self);
+
+    /// Freezes or thaws what the controller learns, or takes it out of the input, from the next call on. A wrapper passes this on; a controller
+    /// that learns nothing has nothing to do.
+    fn set_learning(&mut self, mode: LearningMode) {
+        let _ = mode;
+    }
 }
 
 impl<C: Controller<NX, NU> + ?Sized, const NX: usize, const NU: usize> Controller<NX, NU>
@@ -85,6 +96,10 @@ impl<C: Controller<NX, NU> + ?Sized, const NX: usize, const NU: usize> Controlle
 
     fn reset(&mut self) {
         (**self).reset();
+    }
+
+    fn set_learning(&mut self, mode: LearningMode) {
+        (**self).set_learning(mode);
     }
 }
 

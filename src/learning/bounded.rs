@@ -7,14 +7,21 @@ use crate::{
     fuzzy::{Firing, FuzzyNetwork, Grid, Inputs},
 };
 
-/// Any rule with its output projected onto |u_n| ≤ U: what is learned beyond the bound is taken back along w̃.
+/// Any rule with its output projected onto |u_n| ≤ U and, if wanted, |u_n(k) − u_n(k−1)| ≤ R·h: what is learned beyond is taken back
+/// along w̃.
 ///
 /// U is the largest |Δ| that the plant can have, or the most that the actuator has to give for it. A learner that winds up can do no more
 /// harm than U; a U below |Δ| leaves the rest to the feedback.
+///
+/// R is for rules with no limit of their own: under [`SlidingMode`](super::SlidingMode) u_n moves by at most αh a period anyway, while
+/// under [`GradientDescent`](super::GradientDescent) the step grows with s, so one outlier of a sensor moves it arbitrarily far. An R below
+/// the rate of Δ leaves a lag to the feedback.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bounded<R, T> {
     rule: R,
     bound: T,
+    rate: Option<T>,
+    last: Option<T>,
 }
 
 impl<R, T: Scalar> Bounded<R, T> {
@@ -23,7 +30,19 @@ impl<R, T: Scalar> Bounded<R, T> {
     /// # Errors
     /// [`Error::NotPositive`] or [`Error::NonFinite`].
     pub fn new(rule: R, bound: T) -> Result<Self, Error> {
-        Ok(Self { rule, bound: positive("bound", bound)? })
+        Ok(Self { rule, bound: positive("bound", bound)?, rate: None, last: None })
+    }
+
+    /// The same rule with u_n moving at `rate` R > 0 at the most, in the units of ẋ_n per second.
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`] or [`Error::NonFinite`].
+    pub fn with_rate(self, rate: T) -> Result<Self, Error> {
+        Ok(Self { rate: Some(positive("rate of u_n", rate)?), ..self })
+    }
+
+    fn clamped(&self, u_n: T) -> T {
+        u_n.max(-self.bound).min(self.bound)
     }
 }
 
@@ -43,11 +62,18 @@ where
         s: T,
         dt: T,
     ) {
+        // Before the first sample u_n is what the network was given with.
+        let last = self.clamped(self.last.unwrap_or_else(|| network.output(firing)));
         self.rule.adapt(network, firing, s, dt);
-        let u_n = network.output(firing);
-        let excess = u_n - u_n.max(-self.bound).min(self.bound);
+        let learned = network.output(firing);
+        let u_n = match self.rate.map(|rate| rate * dt) {
+            None => self.clamped(learned),
+            Some(reach) => self.clamped(learned.max(last - reach).min(last + reach)),
+        };
+        let excess = learned - u_n;
         if !excess.is_zero() {
             network.move_consequents(firing, -excess / firing.norm_squared());
         }
+        self.last = Some(u_n);
     }
 }

@@ -115,6 +115,19 @@ impl<T: Scalar> Certificate<T> {
         }
     }
 
+    /// The same where the rule learns from an s that may be off by `slack`, and |s(k)| ≤ `size` is the true one.
+    ///
+    /// The signs do not decrease in s, so the worst noise is the one that hides `slack` of s: what is left is that of the rest, and the
+    /// slack.
+    pub(super) fn worst_noisy(&self, size: T, slack: T) -> T {
+        self.worst_next((size - slack).max(T::zero())) + slack
+    }
+
+    /// The period h in seconds.
+    pub(super) fn dt(&self) -> T {
+        self.dt
+    }
+
     /// How far one explicit step can pass beyond zero: the largest |s − αh·s/(|s| + δ)| of the wrong sign, (√(αh) − √δ)² if αh > δ.
     fn overshoot(&self) -> T {
         let reach = self.alpha * self.dt;

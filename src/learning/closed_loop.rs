@@ -1,5 +1,7 @@
 use nalgebra::SVector;
 
+use super::LearningMode;
+
 /// What a feedback-linearized loop of order N knows at a sample, before it learns.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ClosedLoop<T, const N: usize> {
@@ -21,4 +23,6 @@ pub struct ClosedLoop<T, const N: usize> {
     pub asked: T,
     /// ẋ_n measured at this sample under that input, if there is a sensor for it.
     pub rate: Option<T>,
+    /// What the compensator is to do.
+    pub learning: LearningMode,
 }

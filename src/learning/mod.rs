@@ -14,7 +14,9 @@
 //! | [`Switching`] | how sgn(s) is discretized | `Explicit`, `Implicit`, `SetValued` |
 //! | [`Antecedents`] | whether the memberships move | `Fixed`, `Flow` |
 //! | [`Compensator`] | all of it together: e, u_b, … ↦ u_n | [`NeuroFuzzy`], [`NullCompensator`] |
-//! | [`Certificate`], [`Monitor`] | what theory promises, and whether it holds | |
+//! | [`LearningMode`] | whether u_n is learned, and whether it is used | `Off`, `Frozen`, `Active` |
+//! | [`Certificate`] | what theory promises | |
+//! | [`Monitor`], [`Watchdog`] | whether it holds: at each sample, and for how long not | |
 //!
 //! Signs as everywhere: e = r − x. Units: s, u_b, u_f, u_n and Δ have those of ẋ_n; α those of ẋ_n per second.
 //!
@@ -27,11 +29,13 @@ mod closed_loop;
 mod compensator;
 mod error_rate;
 mod gradient_descent;
+mod mode;
 mod monitor;
 mod neuro_fuzzy;
 mod rule;
 mod sliding_mode;
 mod switching;
+mod watchdog;
 
 pub use antecedents::Antecedents;
 pub use bounded::Bounded;
@@ -42,8 +46,10 @@ pub use error_rate::{
     BackwardDifference, Conditional, ErrorRate, FilteredDifference, Measured, ModelAided,
 };
 pub use gradient_descent::GradientDescent;
+pub use mode::LearningMode;
 pub use monitor::{Monitor, Verdict};
 pub use neuro_fuzzy::NeuroFuzzy;
 pub use rule::{AdaptationRule, NullRule};
 pub use sliding_mode::SlidingMode;
 pub use switching::Switching;
+pub use watchdog::{Watch, Watchdog};

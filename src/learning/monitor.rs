@@ -41,14 +41,9 @@ impl<T: Scalar> Monitor<T> {
     /// [`Error::NonFinite`] for an s that is not finite; the monitor is then as before.
     pub fn update(&mut self, s: T) -> Result<Verdict<T>, Error> {
         let size = finite("s", s)?.abs();
-        // The rule learns from s + noise. Its signs do not decrease in s, so the worst noise is the one that hides `slack` of s:
-        // what is left is that of the rest, and the slack.
         let possible = match self.possible {
             None => size + self.slack,
-            Some(last) => {
-                let seen = (last - self.slack).max(T::zero());
-                self.certificate.worst_next(seen) + self.slack
-            }
+            Some(last) => self.certificate.worst_noisy(last, self.slack),
         };
         let allowed = possible + self.slack;
         let holds = size <= allowed;

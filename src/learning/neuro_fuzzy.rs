@@ -1,4 +1,4 @@
-use super::{AdaptationRule, ClosedLoop, Compensation, Compensator, ErrorRate};
+use super::{AdaptationRule, ClosedLoop, Compensation, Compensator, ErrorRate, LearningMode};
 use crate::{
     Error, Scalar,
     error::{finite, finite_vector, positive},
@@ -8,7 +8,7 @@ use crate::{
 /// The intelligent controller of CLELC: a fuzzy network over the error vector e, trained on s = ė_n + u_b.
 ///
 /// At each sample the network is evaluated at e, s is formed with ė_n from the error-rate source, the rule learns over the period,
-/// and u_n is the output *after* learning.
+/// and u_n is the output *after* learning. Where the loop's [`LearningMode`] says so, the step of the rule is left out, and u_n too.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NeuroFuzzy<T: Scalar, E, R, const N: usize, const K: usize>
 where
@@ -56,10 +56,20 @@ where
         let mut next = self.clone();
         next.rule.follow(&mut next.network, &at.e);
         let firing = next.network.fire(&at.e);
-        let known = next.network.output(&firing);
+        // What is not in the loop is not in s either; −0 changes no sum.
+        let known = match at.learning {
+            LearningMode::Off => -T::zero(),
+            LearningMode::Frozen | LearningMode::Active => next.network.output(&firing),
+        };
         let s = finite("s", next.error_rate.error_rate(at, known, dt)? + at.u_b)?;
-        next.rule.adapt(&mut next.network, &firing, s, dt);
-        let u_n = finite("u_n", next.network.output(&firing))?;
+        let u_n = match at.learning {
+            LearningMode::Off | LearningMode::Frozen => known,
+            LearningMode::Active => {
+                next.rule.adapt(&mut next.network, &firing, s, dt);
+                next.network.output(&firing)
+            }
+        };
+        finite("u_n", u_n)?;
         Ok((next, Compensation { u_n, s }))
     }
 }

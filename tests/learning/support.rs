@@ -3,7 +3,7 @@
 use brunovsky::{
     Scalar,
     fuzzy::{FuzzyNetwork, Gaussian, Grid, Inputs},
-    learning::{AdaptationRule, ClosedLoop, SlidingMode, Switching},
+    learning::{AdaptationRule, ClosedLoop, LearningMode, SlidingMode, Switching},
     nalgebra::{self, SVector},
 };
 use proptest::{
@@ -66,6 +66,7 @@ pub fn quiet<T: Scalar, const N: usize>() -> ClosedLoop<T, N> {
         u: T::zero(),
         asked: T::zero(),
         rate: None,
+        learning: LearningMode::Active,
     }
 }
 

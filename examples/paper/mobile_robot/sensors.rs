@@ -107,4 +107,8 @@ where
     fn reset(&mut self) {
         self.controller.reset();
     }
+
+    fn set_learning(&mut self, mode: LearningMode) {
+        self.controller.set_learning(mode);
+    }
 }

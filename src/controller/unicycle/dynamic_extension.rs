@@ -7,6 +7,7 @@ use crate::{
         Reference, unicycle::Direction,
     },
     error::{finite, positive, value},
+    learning::LearningMode,
     plant::{Decouplable, Unicycle},
 };
 
@@ -155,5 +156,9 @@ impl<T: Scalar, C: ChainControllers<T, 2, 2>> Controller<4, 2> for UnicycleContr
     fn reset(&mut self) {
         self.decoupling.reset();
         self.speeds = None;
+    }
+
+    fn set_learning(&mut self, mode: LearningMode) {
+        self.decoupling.set_learning(mode);
     }
 }
