@@ -19,6 +19,7 @@
 //! [`learning`](crate::learning).
 
 mod gaussian;
+mod grades;
 mod grid;
 mod network;
 mod travel;

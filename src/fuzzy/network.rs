@@ -1,6 +1,6 @@
 use nalgebra::SVector;
 
-use super::{Gaussian, Grid, Inputs, travel::Travel};
+use super::{Gaussian, Grid, Inputs, grades::Grades, travel::Travel};
 use crate::{
     Error, Scalar,
     error::{finite, finite_vector, positive},
@@ -18,7 +18,7 @@ where
     Inputs<I>: Grid,
 {
     /// How the memberships move, once a rule has carried them along with the input.
-    travel: Option<Travel<T, I>>,
+    travel: Option<Travel<T, I, K>>,
     memberships: [[Gaussian<T>; K]; I],
     consequents: <Inputs<I> as Grid>::Cube<T, K>,
 }
@@ -45,6 +45,14 @@ where
     /// w̃ᵀw̃, between K⁻ᴵ (all rules fire alike) and 1 (one rule fires alone).
     pub fn norm_squared(&self) -> T {
         self.norm_squared
+    }
+
+    /// The rules of a full grid fire as the outer product of the grades (factorization of the sum of products).
+    fn of(grades: &Grades<T, I, K>) -> Self {
+        Self {
+            strengths: Inputs::<I>::outer(grades.rows(), T::one()),
+            norm_squared: grades.norm_squared(),
+        }
     }
 }
 
@@ -128,15 +136,14 @@ where
 
     /// The normalized firing strengths at a finite input `e` (eq_wr, eq_wrwidetilde).
     ///
-    /// For each input the grades are taken relative to the nearest membership: exp((M_near² − M_ik²)/2) is 1 for the nearest
-    /// and at most 1 for the others, so the sums are never zero, at any distance from the centres.
+    /// They are the outer product of the normalized grades of each input, taken relative to the nearest membership: no 0/0, at any distance
+    /// from the centres. Memberships that travel with the input fire as they did at the start, which is remembered.
     pub fn fire(&self, e: &SVector<T, I>) -> Firing<T, I, K> {
-        match self.travel {
-            None => firing(&self.memberships, e),
-            // At the input that they travel with, memberships fire as they did at the start.
-            Some(travel) if travel.at == *e => firing(&self.memberships, &SVector::zeros()),
-            Some(travel) => firing(&travel.flowed(&self.memberships), &(e - travel.at)),
-        }
+        Firing::of(&match self.travel {
+            None => Grades::at(&self.memberships, e),
+            Some(travel) if travel.at == *e => travel.grades,
+            Some(travel) => Grades::at(&travel.flowed(&self.memberships), &(e - travel.at)),
+        })
     }
 
     /// u_n = Σ w̃_r·f_r for the rules firing as `firing` says.
@@ -188,38 +195,4 @@ where
             *row = row.map(|membership| membership.shifted(*by));
         }
     }
-}
-
-/// How `memberships` fire at `e`: input by input, as the grid factorizes.
-fn firing<T: Scalar, const I: usize, const K: usize>(
-    memberships: &[[Gaussian<T>; K]; I],
-    e: &SVector<T, I>,
-) -> Firing<T, I, K>
-where
-    Inputs<I>: Grid,
-{
-    let mut grades = [[T::zero(); K]; I];
-    let mut norm_squared = T::one();
-    for ((grades, row), e) in grades.iter_mut().zip(memberships).zip(e.iter()) {
-        *grades = normalized(row.map(|membership| membership.distance(*e).abs()));
-        norm_squared *= sum_of_squares(grades);
-    }
-    Firing { strengths: Inputs::<I>::outer(&grades, T::one()), norm_squared }
-}
-
-/// exp(−Mₖ²/2)/Σ exp(−M²/2) for distances M ≥ 0.
-///
-/// The difference of squares is taken as a product, which keeps its accuracy far out. Equal distances give 1 before any
-/// arithmetic, so that even distances which overflowed to infinity divide up evenly.
-fn normalized<T: Scalar, const K: usize>(distances: [T; K]) -> [T; K] {
-    let nearest = distances.into_iter().reduce(T::min).unwrap_or(T::zero());
-    let grades = distances.map(|m| {
-        if m == nearest { T::one() } else { ((nearest - m) * (nearest + m) * constant(0.5)).exp() }
-    });
-    let sum = grades.iter().fold(T::zero(), |sum, grade| sum + *grade);
-    grades.map(|grade| grade / sum)
-}
-
-fn sum_of_squares<T: Scalar>(values: &[T]) -> T {
-    values.iter().fold(T::zero(), |sum, v| sum + *v * *v)
 }

@@ -1,16 +1,21 @@
 use nalgebra::SVector;
 
-use super::Gaussian;
-use crate::{Scalar, scalar::constant};
+use super::{Gaussian, grades::Grades};
+use crate::{
+    Scalar,
+    scalar::{constant, epsilon},
+};
 
 /// Memberships on the move: the input that they travel with, and how far the flow of the antecedents has taken them.
 ///
-/// By the flow d = d₀·e^{−T} and M² = M₀² + 2T, with one T for all memberships of an input. Nothing but T is stored, so the
-/// differences of M², and with them the normalized firing strengths, are constant to the last bit however long the flow goes on.
+/// By the flow d = d₀·e^{−T} and M² = M₀² + 2T, with one T for all memberships of an input. Nothing but T changes, so the
+/// differences of M², and with them the normalized grades, are constant to the last bit however long the flow goes on.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Travel<T, const I: usize> {
+pub(super) struct Travel<T, const I: usize, const K: usize> {
     /// The input that the memberships are given relative to, so that d₀ = −c₀.
     pub at: SVector<T, I>,
+    /// How they fire there, on all of the way.
+    pub grades: Grades<T, I, K>,
     /// T, for each input.
     flowed: [Flowed<T>; I],
 }
@@ -22,16 +27,16 @@ struct Flowed<T> {
     most: T,
 }
 
-impl<T: Scalar, const I: usize> Travel<T, I> {
+impl<T: Scalar, const I: usize, const K: usize> Travel<T, I, K> {
     /// The start of a travel at the input `at`, with `memberships` relative to it; M² is to stay between `floor` and `ceiling`.
-    pub fn new<const K: usize>(
+    pub fn new(
         at: SVector<T, I>,
         memberships: &[[Gaussian<T>; K]; I],
         floor: T,
         ceiling: T,
     ) -> Self {
         let flowed = memberships.each_ref().map(|row| Flowed::within(row, floor, ceiling));
-        Self { at, flowed }
+        Self { at, grades: Grades::at(memberships, &SVector::zeros()), flowed }
     }
 
     /// Moves every M²/2 by `tau`, or as far as the bounds of its input allow.
@@ -42,10 +47,7 @@ impl<T: Scalar, const I: usize> Travel<T, I> {
     }
 
     /// `memberships` as the flow has made them, still relative to the input.
-    pub fn flowed<const K: usize>(
-        &self,
-        memberships: &[[Gaussian<T>; K]; I],
-    ) -> [[Gaussian<T>; K]; I] {
+    pub fn flowed(&self, memberships: &[[Gaussian<T>; K]; I]) -> [[Gaussian<T>; K]; I] {
         let mut rows = *memberships;
         for (row, flowed) in rows.iter_mut().zip(&self.flowed) {
             *row = row.map(|membership| membership.flowed(flowed.by));
@@ -55,26 +57,32 @@ impl<T: Scalar, const I: usize> Travel<T, I> {
 }
 
 impl<T: Scalar> Flowed<T> {
-    /// No flow yet, and as much to come as keeps M² within the bounds and ln d within three quarters of the range of `T`.
+    /// No flow yet, and as much to come as keeps M² within the bounds and d between ε⁴ and ε⁻⁴, well inside the range of `T`.
     ///
     /// An input below the floor from the start is at the singularity of the law already: its memberships do not flow.
     fn within<const K: usize>(row: &[Gaussian<T>; K], floor: T, ceiling: T) -> Self {
         let zero = T::zero();
         let squares = row.map(|membership| membership.distance(zero) * membership.distance(zero));
-        let distances = row.map(|membership| membership.centre().abs());
-        let lowest = squares.into_iter().reduce(T::min).unwrap_or(zero);
+        let (lowest, highest) = extremes(&squares);
         if lowest < floor {
             return Self { by: zero, least: zero, most: zero };
         }
-        let highest = squares.into_iter().reduce(T::max).unwrap_or(zero);
-        let nearest = distances.into_iter().reduce(T::min).unwrap_or(zero);
-        let farthest = distances.into_iter().reduce(T::max).unwrap_or(zero);
+        let (nearest, farthest) = extremes(&row.map(|membership| membership.centre().abs()));
+        // ln ε⁻⁴ less the greatest |ln d|.
+        let reach = -(epsilon::<T>().powi(4) * farthest.max(nearest.recip())).ln();
         let half = constant::<T>(0.5);
-        let room = T::max_value().map_or(constant(60.0), |max| max.ln() * constant(0.75));
         Self {
             by: zero,
-            least: ((floor - lowest) * half).max(farthest.ln() - room).min(zero),
-            most: ((ceiling - highest) * half).min(nearest.ln() + room).max(zero),
+            least: ((floor - lowest) * half).max(-reach).min(zero),
+            most: ((ceiling - highest) * half).min(reach).max(zero),
         }
     }
+}
+
+/// The least and the greatest of `values`, which are not NaN.
+fn extremes<T: Scalar>(values: &[T]) -> (T, T) {
+    let [first, rest @ ..] = values else { return (T::zero(), T::zero()) };
+    rest.iter().fold((*first, *first), |(least, most), value| {
+        (if *value < least { *value } else { least }, if *value > most { *value } else { most })
+    })
 }
