@@ -3,8 +3,8 @@
 pub use crate::{
     Error, Scalar,
     controller::{
-        Clelc, Command, Controller, Decoupling, FeedbackLinearization, Gains, Limited, Measurement,
-        Mode, Reference, Supervised,
+        Accept, Clelc, Command, Controller, Decoupling, FeedbackLinearization, Gains, Limited,
+        Measurement, Mode, Reference, Supervised,
     },
     fuzzy::{FuzzyNetwork, Gaussian},
     integrators::{Euler, Heun, Integrator, Rk4},

@@ -18,13 +18,16 @@ impl Controller<4, 2> for Echo {
     type Reference = ();
     type Command = SVector<f64, 2>;
 
-    fn update(
+    fn update_if(
         &mut self,
         seen: &Measurement<f64, 4, 2>,
         (): &(),
         _dt: f64,
+        accept: Accept<SVector<f64, 2>>,
     ) -> Result<SVector<f64, 2>, Error> {
-        Ok(SVector::from([seen.x[2], seen.x[3]]))
+        let decided = SVector::from([seen.x[2], seen.x[3]]);
+        accept(&decided)?;
+        Ok(decided)
     }
 
     fn reset(&mut self) {}

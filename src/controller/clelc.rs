@@ -1,7 +1,7 @@
 use nalgebra::SVector;
 
 use super::{
-    Command, Controller, FeedbackLinearization, Measurement, Reference,
+    Accept, Command, Controller, FeedbackLinearization, Measurement, Reference,
     feedback_linearization::linearizing,
 };
 use crate::{
@@ -96,19 +96,23 @@ impl<P: FeedbackLinearizable<N>, C: Compensator<P::Scalar, N>, const N: usize> C
     /// # Errors
     /// Those of [`FeedbackLinearization`], and those of the compensator: [`Error::Missing`] if ė_n cannot be had,
     /// [`Error::NonFinite`] if s or u_n would leave the range of the scalar.
-    fn update(
+    fn update_if(
         &mut self,
         measurement: &Measurement<P::Scalar, N, 1>,
         reference: &Self::Reference,
         dt: P::Scalar,
+        accept: Accept<Self::Command>,
     ) -> Result<Self::Command, Error> {
         let at = self.base.closed_loop(measurement, reference, dt, self.last, self.learning)?;
         let (learned, compensation) = self.compensator.advanced(&at, dt)?;
         let u = linearizing(&at, at.u_f + at.u_b + compensation.u_n)?;
+        let command =
+            ClelcCommand { u, u_f: at.u_f, u_b: at.u_b, u_n: compensation.u_n, s: compensation.s };
+        accept(&command)?;
 
         self.compensator = learned;
         self.last = u;
-        Ok(ClelcCommand { u, u_f: at.u_f, u_b: at.u_b, u_n: compensation.u_n, s: compensation.s })
+        Ok(command)
     }
 
     fn reset(&mut self) {

@@ -1,6 +1,6 @@
 use nalgebra::{ComplexField, SMatrix, SVector};
 
-use super::{ChainControllers, Command, Controller, Measurement, Reference};
+use super::{Accept, ChainControllers, Command, Controller, Measurement, Reference};
 use crate::{
     Error, Scalar,
     error::{finite_vector, positive, value},
@@ -51,7 +51,7 @@ pub struct DecouplingCommand<T, D, const M: usize> {
     pub chains: D,
 }
 
-impl<T: Scalar, D, const M: usize> Command<T, M> for DecouplingCommand<T, D, M> {
+impl<T: Scalar, D: Copy, const M: usize> Command<T, M> for DecouplingCommand<T, D, M> {
     fn input(&self) -> SVector<T, M> {
         self.u
     }
@@ -105,11 +105,12 @@ where
     /// # Errors
     /// [`Error::NotPositive`] for `dt`; [`Error::NonFiniteEntry`] for the measurement, a(x), the chains and u;
     /// [`Error::IllConditioned`] for B(x); and those of the chains' controllers.
-    fn update(
+    fn update_if(
         &mut self,
         measurement: &Measurement<P::Scalar, NX, M>,
         reference: &Self::Reference,
         dt: P::Scalar,
+        accept: Accept<Self::Command>,
     ) -> Result<Self::Command, Error> {
         positive("dt", dt)?;
         measurement.validate()?;
@@ -138,15 +139,18 @@ where
                 })),
             }
         });
-        let mut chains = self.chains.clone();
-        let (nu, commands) = chains.update_all(&told, reference, dt)?;
-        let u = inverse * (nu - now.drift);
-        finite_vector("u", &u)?;
+        let command =
+            |(nu, chains)| DecouplingCommand { u: inverse * (nu - now.drift), nu, chains };
+        let decided = self.chains.update_all(&told, reference, dt, &mut |decided| {
+            let command = command(*decided);
+            finite_vector("u", &command.u)?;
+            accept(&command)
+        })?;
+        let command = command(decided);
 
-        self.chains = chains;
-        self.input = u;
+        self.input = command.u;
         self.last = Some(now);
-        Ok(DecouplingCommand { u, nu, chains: commands })
+        Ok(command)
     }
 
     fn reset(&mut self) {

@@ -1,6 +1,6 @@
 use nalgebra::SVector;
 
-use super::{Command, Controller, Gains, Measurement, Reference};
+use super::{Accept, Command, Controller, Gains, Measurement, Reference};
 use crate::{
     Error, Scalar,
     error::{finite, positive, value},
@@ -105,17 +105,20 @@ impl<P: FeedbackLinearizable<N>, const N: usize> Controller<N, 1> for FeedbackLi
     /// # Errors
     /// [`Error::NotPositive`] for `dt`; [`Error::NonFinite`] and [`Error::NonFiniteEntry`] for the measurement, the reference,
     /// a(x), b(x) and u_b; [`Error::Singular`] where b(x) is zero or so small that u is not finite.
-    fn update(
+    fn update_if(
         &mut self,
         measurement: &Measurement<P::Scalar, N, 1>,
         reference: &Self::Reference,
         dt: P::Scalar,
+        accept: Accept<Self::Command>,
     ) -> Result<Self::Command, Error> {
         let at =
             self.closed_loop(measurement, reference, dt, nalgebra::zero(), LearningMode::Off)?;
         let (u_f, u_b) = (at.u_f, at.u_b);
         let u = linearizing(&at, u_f + u_b)?;
-        Ok(FeedbackLinearizationCommand { u, u_f, u_b })
+        let command = FeedbackLinearizationCommand { u, u_f, u_b };
+        accept(&command)?;
+        Ok(command)
     }
 
     fn reset(&mut self) {}

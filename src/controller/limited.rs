@@ -1,6 +1,6 @@
 use nalgebra::SVector;
 
-use super::{Command, Controller, Measurement};
+use super::{Accept, Command, Controller, Measurement};
 use crate::{Error, actuator::Actuator, learning::LearningMode};
 
 /// A controller behind whose command stands an actuator with limits, and which is told what arrived.
@@ -24,7 +24,7 @@ pub struct LimitedCommand<D, T, const NU: usize> {
     pub asked: D,
 }
 
-impl<D, T: crate::Scalar, const NU: usize> Command<T, NU> for LimitedCommand<D, T, NU> {
+impl<D: Copy, T: crate::Scalar, const NU: usize> Command<T, NU> for LimitedCommand<D, T, NU> {
     fn input(&self) -> SVector<T, NU> {
         self.u
     }
@@ -56,7 +56,7 @@ impl<C, A: Clone, T, const NU: usize> Limited<C, A, T, NU> {
 
 impl<C, A, const NX: usize, const NU: usize> Controller<NX, NU> for Limited<C, A, C::Scalar, NU>
 where
-    C: Controller<NX, NU> + Clone,
+    C: Controller<NX, NU>,
     A: Actuator<C::Scalar, NU>,
 {
     type Scalar = C::Scalar;
@@ -65,20 +65,21 @@ where
 
     /// # Errors
     /// Those of the controller inside.
-    fn update(
+    fn update_if(
         &mut self,
         measurement: &Measurement<C::Scalar, NX, NU>,
         reference: &C::Reference,
         dt: C::Scalar,
+        accept: Accept<Self::Command>,
     ) -> Result<Self::Command, Error> {
         let told = Measurement { applied: measurement.applied.or(self.arrived), ..*measurement };
-        let mut controller = self.controller.clone();
-        let asked = controller.update(&told, reference, dt)?;
-        let (actuator, u) = self.actuator.driven(&asked.input(), dt)?;
-
-        self.controller = controller;
-        self.actuator = actuator;
-        self.arrived = Some(u);
+        let mut u = SVector::zeros();
+        let asked = self.controller.update_if(&told, reference, dt, &mut |asked| {
+            let (actuator, arrived) = self.actuator.driven(&asked.input(), dt)?;
+            accept(&LimitedCommand { u: arrived, asked: *asked })?;
+            (self.actuator, self.arrived, u) = (actuator, Some(arrived), arrived);
+            Ok(())
+        })?;
         Ok(LimitedCommand { u, asked })
     }
 

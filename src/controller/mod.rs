@@ -33,7 +33,7 @@ mod reference;
 mod supervised;
 pub mod unicycle;
 
-pub use chain_controllers::ChainControllers;
+pub use chain_controllers::{ChainControllers, Decided};
 pub use clelc::{Clelc, ClelcCommand};
 pub use decoupling::{Decoupling, DecouplingCommand};
 pub use feedback_linearization::{FeedbackLinearization, FeedbackLinearizationCommand};
@@ -56,17 +56,34 @@ pub trait Controller<const NX: usize, const NU: usize> {
     /// The input and how it came about.
     type Command: Command<Self::Scalar, NU>;
 
-    /// The command for the coming period, from the measurement and the reference at its start. For `dt` see the
-    /// [module](self).
+    /// The command for the coming period, from the measurement and the reference at its start, if `accept` has nothing against it. For `dt`
+    /// see the [module](self).
+    ///
+    /// An implementation computes first, asks `accept` once when nothing else can fail, and changes itself last. So a wrapper can have the last
+    /// word on a command without keeping a copy of the controller to go back to.
     ///
     /// # Errors
-    /// For a bad `dt`, measurement or reference, and where the law has no answer. The controller is then as before.
+    /// For a bad `dt`, measurement or reference, where the law has no answer, and that of `accept`. The controller is then as before.
+    fn update_if(
+        &mut self,
+        measurement: &Measurement<Self::Scalar, NX, NU>,
+        reference: &Self::Reference,
+        dt: Self::Scalar,
+        accept: Accept<Self::Command>,
+    ) -> Result<Self::Command, Error>;
+
+    /// The command for the coming period: [`update_if`](Self::update_if) with nothing against it.
+    ///
+    /// # Errors
+    /// Those of `update_if`. The controller is then as before.
     fn update(
         &mut self,
         measurement: &Measurement<Self::Scalar, NX, NU>,
         reference: &Self::Reference,
         dt: Self::Scalar,
-    ) -> Result<Self::Command, Error>;
+    ) -> Result<Self::Command, Error> {
+        self.update_if(measurement, reference, dt, &mut |_| Ok(()))
+    }
 
     /// Back to the state after construction: memory and everything learned is forgotten, parameters are kept.
     fn reset(&mut self);
@@ -85,13 +102,14 @@ impl<C: Controller<NX, NU> + ?Sized, const NX: usize, const NU: usize> Controlle
     type Reference = C::Reference;
     type Command = C::Command;
 
-    fn update(
+    fn update_if(
         &mut self,
         measurement: &Measurement<C::Scalar, NX, NU>,
         reference: &C::Reference,
         dt: C::Scalar,
+        accept: Accept<C::Command>,
     ) -> Result<C::Command, Error> {
-        (**self).update(measurement, reference, dt)
+        (**self).update_if(measurement, reference, dt, accept)
     }
 
     fn reset(&mut self) {
@@ -103,8 +121,11 @@ impl<C: Controller<NX, NU> + ?Sized, const NX: usize, const NU: usize> Controlle
     }
 }
 
+/// The judgement of a caller on the command that a [controller](Controller::update_if) is about to give.
+pub type Accept<'a, D> = &'a mut dyn FnMut(&D) -> Result<(), Error>;
+
 /// What a controller decided: an input, and perhaps how it came about.
-pub trait Command<T, const NU: usize> {
+pub trait Command<T, const NU: usize>: Copy {
     /// The input u for the plant.
     fn input(&self) -> SVector<T, NU>;
 }

@@ -1,6 +1,6 @@
 use nalgebra::SVector;
 
-use super::{Command, Controller, Measurement};
+use super::{Accept, Command, Controller, Measurement};
 use crate::{
     Error, Scalar,
     error::{finite_vector, positive},
@@ -50,7 +50,7 @@ pub struct SupervisedCommand<D, T, const NU: usize> {
     pub asked: Result<D, Error>,
 }
 
-impl<D, T: Scalar, const NU: usize> Command<T, NU> for SupervisedCommand<D, T, NU> {
+impl<D: Copy, T: Scalar, const NU: usize> Command<T, NU> for SupervisedCommand<D, T, NU> {
     fn input(&self) -> SVector<T, NU> {
         self.u
     }
@@ -113,22 +113,71 @@ impl<C, T: Scalar, const NU: usize> Supervised<C, T, NU> {
     pub fn controller(&self) -> &C {
         &self.controller
     }
+}
 
-    /// The offset at this sample, for a controller that asks for `u`.
-    fn offset(&self, u: &SVector<T, NU>, dt: T) -> SVector<T, NU> {
-        match self.last {
-            None => SVector::zeros(),
-            Some((mode, last)) if mode != self.mode => last - u,
-            Some(_) => self.offset.zip_map(&self.fade, |offset, fade| {
-                (offset.abs() - fade * dt).max(T::zero()).copysign(offset)
-            }),
+impl<C, T: Scalar, const NU: usize> Supervised<C, T, NU> {
+    /// The operator's input, whatever the controller makes of the sample.
+    fn watched<const NX: usize>(
+        &mut self,
+        told: &Measurement<T, NX, NU>,
+        reference: &C::Reference,
+        dt: T,
+        accept: Accept<SupervisedCommand<C::Command, T, NU>>,
+    ) -> Result<SupervisedCommand<C::Command, T, NU>, Error>
+    where
+        C: Controller<NX, NU, Scalar = T>,
+    {
+        let (mode, u) = (self.mode, self.manual);
+        let command = |asked| SupervisedCommand { u, mode, offset: SVector::zeros(), asked };
+        let mut refused = Ok(());
+        let asked = self.controller.update_if(told, reference, dt, &mut |asked| {
+            refused = accept(&command(Ok(*asked)));
+            refused
+        });
+        refused?;
+        if asked.is_err() {
+            accept(&command(asked))?;
         }
+        Ok(command(asked))
+    }
+
+    /// The controller's input, and what is left of the last transfer.
+    fn decided<const NX: usize>(
+        &mut self,
+        told: &Measurement<T, NX, NU>,
+        reference: &C::Reference,
+        dt: T,
+        accept: Accept<SupervisedCommand<C::Command, T, NU>>,
+    ) -> Result<SupervisedCommand<C::Command, T, NU>, Error>
+    where
+        C: Controller<NX, NU, Scalar = T>,
+    {
+        positive("dt", dt)?;
+        let (mode, last, fade) = (self.mode, self.last, self.fade);
+        let faded = self.offset.zip_map(&fade, |offset, fade| {
+            (offset.abs() - fade * dt).max(T::zero()).copysign(offset)
+        });
+        let command = |asked: C::Command| {
+            let u = asked.input();
+            let offset = match last {
+                None => SVector::zeros(),
+                Some((before, last)) if before != mode => last - u,
+                Some(_) => faded,
+            };
+            SupervisedCommand { u: u + offset, mode, offset, asked: Ok(asked) }
+        };
+        let asked = self.controller.update_if(told, reference, dt, &mut |asked| {
+            let command = command(*asked);
+            finite_vector("u", &command.u)?;
+            accept(&command)
+        })?;
+        Ok(command(asked))
     }
 }
 
 impl<C, const NX: usize, const NU: usize> Controller<NX, NU> for Supervised<C, C::Scalar, NU>
 where
-    C: Controller<NX, NU> + Clone,
+    C: Controller<NX, NU>,
 {
     type Scalar = C::Scalar;
     type Reference = C::Reference;
@@ -137,35 +186,22 @@ where
     /// # Errors
     /// In automatic mode those of the controller inside; [`Error::NotPositive`] and [`Error::NonFinite`] for `dt`, and
     /// [`Error::NonFiniteEntry`] for an input beyond the range of the scalar.
-    fn update(
+    fn update_if(
         &mut self,
         measurement: &Measurement<C::Scalar, NX, NU>,
         reference: &C::Reference,
         dt: C::Scalar,
+        accept: Accept<Self::Command>,
     ) -> Result<Self::Command, Error> {
         let arrived = self.last.map(|(_, u)| u);
         let told = Measurement { applied: measurement.applied.or(arrived), ..*measurement };
-        let mut controller = self.controller.clone();
-        let decided = controller.update(&told, reference, dt);
-        let (u, offset, asked) = match self.mode {
-            Mode::Manual => (self.manual, SVector::zeros(), decided),
-            Mode::Automatic(_) => {
-                let decided = decided?;
-                positive("dt", dt)?;
-                let asked = decided.input();
-                let offset = self.offset(&asked, dt);
-                let u = asked + offset;
-                finite_vector("u", &u)?;
-                (u, offset, Ok(decided))
-            }
+        let command = match self.mode {
+            Mode::Manual => self.watched(&told, reference, dt, accept)?,
+            Mode::Automatic(_) => self.decided(&told, reference, dt, accept)?,
         };
-
-        if asked.is_ok() {
-            self.controller = controller;
-        }
-        self.offset = offset;
-        self.last = Some((self.mode, u));
-        Ok(SupervisedCommand { u, mode: self.mode, offset, asked })
+        self.offset = command.offset;
+        self.last = Some((self.mode, command.u));
+        Ok(command)
     }
 
     /// The mode and the operator's input are kept.

@@ -94,7 +94,7 @@ fn axis<C: Compensator<f64, 2>>(
 }
 
 /// Feedback linearization alone, with s on record.
-fn flc() -> Result<impl ChainControllers<f64, 2, 2, Commands = Axes>, Error> {
+fn flc() -> Result<impl ChainControllers<f64, 2, 2, Commands = Axes> + Clone, Error> {
     let axis = axis(NullCompensator::new(BackwardDifference::new()))?;
     Ok([axis; 2])
 }
@@ -103,7 +103,7 @@ fn flc() -> Result<impl ChainControllers<f64, 2, 2, Commands = Axes>, Error> {
 fn clelc<E, R>(
     error_rate: E,
     rule: R,
-) -> Result<impl ChainControllers<f64, 2, 2, Commands = Axes>, Error>
+) -> Result<impl ChainControllers<f64, 2, 2, Commands = Axes> + Clone, Error>
 where
     E: ErrorRate<f64, 2> + Copy,
     R: AdaptationRule<f64, 2, 3> + Copy,

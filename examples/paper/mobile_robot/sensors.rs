@@ -78,29 +78,34 @@ where
     type Reference = C::Reference;
     type Command = SensedCommand<C::Command>;
 
-    fn update(
+    fn update_if(
         &mut self,
         truth: &Measurement<f64, 5, 2>,
         reference: &C::Reference,
         dt: f64,
+        accept: Accept<Self::Command>,
     ) -> Result<Self::Command, Error> {
-        let (accuracy, random) = (self.accuracy, &mut self.random);
+        let accuracy = self.accuracy;
+        let (mut random, mut wander) = (self.random.clone(), self.wander);
         let kept = (-dt / accuracy.wander_time).exp();
-        for wander in &mut self.wander {
+        for wander in &mut wander {
             let fresh = accuracy.wander * (1.0 - kept * kept).sqrt();
-            *wander = *wander * kept + fresh * normal(random);
+            *wander = *wander * kept + fresh * normal(&mut random);
         }
         let x_dot = truth.x_dot.ok_or(Error::Missing { name: "velocity over ground" })?;
         let (sin, cos) = truth.x[2].sin_cos();
-        let gnss = [0, 1].map(|i| truth.x[i] + self.wander[i] + accuracy.white * normal(random));
-        let heading = truth.x[2] + accuracy.heading * normal(random);
-        let speed = x_dot[0] * cos + x_dot[1] * sin + accuracy.speed * normal(random);
+        let gnss = [0, 1].map(|i| truth.x[i] + wander[i] + accuracy.white * normal(&mut random));
+        let heading = truth.x[2] + accuracy.heading * normal(&mut random);
+        let speed = x_dot[0] * cos + x_dot[1] * sin + accuracy.speed * normal(&mut random);
         let seen = Measurement {
             x: SVector::from([gnss[0], gnss[1], heading, speed]),
             x_dot: None,
             applied: truth.applied,
         };
-        let decided = self.controller.update(&seen, reference, dt)?;
+        let decided = self.controller.update_if(&seen, reference, dt, &mut |decided| {
+            accept(&SensedCommand { gnss, decided: *decided })
+        })?;
+        (self.random, self.wander) = (random, wander);
         Ok(SensedCommand { gnss, decided })
     }
 

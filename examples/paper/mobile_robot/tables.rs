@@ -26,7 +26,7 @@ pub struct Settings {
 }
 
 fn over_seeds(
-    axes: impl ChainControllers<f64, 2, 2, Commands = Axes>,
+    axes: impl ChainControllers<f64, 2, 2, Commands = Axes> + Clone,
     path: &Path2,
     field: Field,
 ) -> Result<Merits, Error> {

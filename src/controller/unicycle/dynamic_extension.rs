@@ -3,7 +3,7 @@ use nalgebra::{SMatrix, SVector};
 use crate::{
     Error, Scalar,
     controller::{
-        ChainControllers, Command, Controller, Decoupling, DecouplingCommand, Measurement,
+        Accept, ChainControllers, Command, Controller, Decoupling, DecouplingCommand, Measurement,
         Reference, unicycle::Direction,
     },
     error::{finite, positive, value},
@@ -84,7 +84,7 @@ pub struct UnicycleCommand<T, D> {
     pub decoupled: DecouplingCommand<T, D, 2>,
 }
 
-impl<T: Scalar, D> Command<T, 2> for UnicycleCommand<T, D> {
+impl<T: Scalar, D: Copy> Command<T, 2> for UnicycleCommand<T, D> {
     fn input(&self) -> SVector<T, 2> {
         SVector::from([self.v, self.omega])
     }
@@ -122,11 +122,12 @@ impl<T: Scalar, C: ChainControllers<T, 2, 2>> Controller<4, 2> for UnicycleContr
 
     /// # Errors
     /// Those of [`Decoupling`], and [`Error::Singular`] for a speed below the minimum if that is to be refused.
-    fn update(
+    fn update_if(
         &mut self,
         measurement: &Measurement<T, 4, 2>,
         reference: &Self::Reference,
         dt: T,
+        accept: Accept<Self::Command>,
     ) -> Result<Self::Command, Error> {
         positive("dt", dt)?;
         measurement.validate()?;
@@ -144,13 +145,20 @@ impl<T: Scalar, C: ChainControllers<T, 2, 2>> Controller<4, 2> for UnicycleContr
         };
         let applied = measurement.applied.map(|applied| [(reached - before) / dt, applied[1]]);
         let extended = Measurement { applied: applied.map(SVector::from), ..*measurement };
-        let mut next = self.decoupling.clone();
-        let decoupled = next.update(&extended, reference, dt)?;
-        let v = finite("v", reached + decoupled.u[0] * dt)?;
+        let command = |decoupled: DecouplingCommand<T, C::Commands, 2>| UnicycleCommand {
+            v: reached + decoupled.u[0] * dt,
+            omega: decoupled.u[1],
+            decoupled,
+        };
+        let decoupled = self.decoupling.update_if(&extended, reference, dt, &mut |decoupled| {
+            let command = command(*decoupled);
+            finite("v", command.v)?;
+            accept(&command)
+        })?;
+        let command = command(decoupled);
 
-        self.decoupling = next;
-        self.speeds = Some([reached, v]);
-        Ok(UnicycleCommand { v, omega: decoupled.u[1], decoupled })
+        self.speeds = Some([reached, command.v]);
+        Ok(command)
     }
 
     fn reset(&mut self) {

@@ -51,7 +51,7 @@ fn assert_transformed<D>(
     }
 }
 
-fn mirrored<C: ChainControllers<f64, 2, 2>>(axes: C, tolerance: f64) {
+fn mirrored<C: ChainControllers<f64, 2, 2> + Clone>(axes: C, tolerance: f64) {
     for direction in [Direction::Forward, Direction::Reverse] {
         let original = response(axes.clone(), direction, |r| r, |x| x);
         let reflected = |x: State| [x[0], -x[1], -x[2], x[3]].into();
@@ -62,7 +62,7 @@ fn mirrored<C: ChainControllers<f64, 2, 2>>(axes: C, tolerance: f64) {
     }
 }
 
-fn turned<C: ChainControllers<f64, 2, 2>>(axes: C, tolerance: f64) {
+fn turned<C: ChainControllers<f64, 2, 2> + Clone>(axes: C, tolerance: f64) {
     let original = response(axes.clone(), Direction::Forward, |r| r, |x| x);
     let quarter = |x: State| [-x[1], x[0], x[2] + FRAC_PI_2, x[3]].into();
     let other = response(axes, Direction::Forward, |[x, y]| [negated(y), x], quarter);

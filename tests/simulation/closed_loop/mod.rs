@@ -7,7 +7,7 @@ mod times;
 
 use brunovsky::{
     Error, Scalar,
-    controller::{Controller, Measurement},
+    controller::{Accept, Controller, Measurement},
 };
 use nalgebra::SVector;
 
@@ -36,14 +36,17 @@ where
     type Reference = T;
     type Command = SVector<T, NU>;
 
-    fn update(
+    fn update_if(
         &mut self,
         measurement: &Measurement<T, NX, NU>,
         reference: &T,
         dt: T,
+        accept: Accept<SVector<T, NU>>,
     ) -> Result<SVector<T, NU>, Error> {
+        let u = (self.script)(self.heard.len());
+        accept(&u)?;
         self.heard.push((*measurement, *reference, dt));
-        Ok((self.script)(self.heard.len() - 1))
+        Ok(u)
     }
 
     fn reset(&mut self) {
