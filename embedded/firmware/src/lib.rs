@@ -1,6 +1,7 @@
 //! What the programs on the board share: output to the debugger, and a panic handler that does not exist.
 #![no_std]
 
+pub mod hostile;
 pub mod measure;
 pub mod stack;
 
@@ -51,6 +52,11 @@ pub fn print_row(name: &str, numbers: &[u32]) {
         print(&digits);
     }
     print(b"\n");
+}
+
+/// Ends the emulation with exit code 1.
+pub fn failed() -> ! {
+    exit(Err(()))
 }
 
 /// Ends the emulation: exit code 0 for `Ok`, 1 for `Err`.

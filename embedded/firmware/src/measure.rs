@@ -1,14 +1,46 @@
-//! Instructions and stack of a control step.
+//! Instructions, stack and memory of a control step.
 
-use brunovsky::Error;
+use brunovsky::{Error, elementary::sin, prelude::*};
 use cortex_m::peripheral::{Peripherals, SYST, syst::SystClkSource};
-use replay::{Study, rows};
+use replay::{Real, Study, rows};
 
 use crate::{print_row, stack};
 
-/// Plays a recording and prints the mean and the largest number of instructions of a step, and its bytes of stack.
-pub fn measure<S: Study>(name: &str, recording: &[u8]) -> Result<(), Error> {
+/// Measures `study` on its recording.
+pub fn study<S: Study>(recording: &[u8]) -> Result<(), Error> {
     let mut study = S::start()?;
+    measure(size_of::<S>(), rows::<S>(recording), |row| study.update(row))
+}
+
+/// Measures a step without a controller: what is left is what the others have to be compared with.
+pub fn nothing() -> Result<(), Error> {
+    measure(0, states::<1>(), |x| Ok(*x))
+}
+
+/// Measures `controller` at rest at 0, with a state that moves along smooth waves.
+pub fn waves<C, const N: usize>(mut controller: C) -> Result<(), Error>
+where
+    C: Controller<N, 1, Scalar = Real, Reference = Reference<Real, N>>,
+{
+    measure(size_of::<C>(), states(), |x: &SVector<Real, N>| {
+        let measurement = Measurement::new(*x).with_rate(SVector::zeros());
+        controller.update(&measurement, &Reference::setpoint(0.0), 0.01)
+    })
+}
+
+/// Smooth waves, off every centre at the start.
+fn states<const N: usize>() -> impl Iterator<Item = SVector<Real, N>> {
+    let wave = |k: u16, i: usize| 0.3 + 0.5 * sin(0.02 * Real::from(k) + i as Real);
+    (0..512).map(move |k| SVector::from_fn(|i, _| wave(k, i)))
+}
+
+/// Makes a step for each of the `rows` and prints, in one line: the mean and the largest number of instructions of a step, its bytes of
+/// stack, and the bytes of the controller.
+fn measure<R, D>(
+    size: usize,
+    rows: impl Iterator<Item = R>,
+    mut step: impl FnMut(&R) -> Result<D, Error>,
+) -> Result<(), Error> {
     let Some(peripherals) = Peripherals::take() else { return Ok(()) };
     let mut timer = peripherals.SYST;
     timer.set_clock_source(SystClkSource::Core);
@@ -20,10 +52,10 @@ pub fn measure<S: Study>(name: &str, recording: &[u8]) -> Result<(), Error> {
     let nothing = instructions(|| {});
     let (mut sum, mut most, mut deepest, mut steps) = (0, 0, 0, 0);
     let mut result = Ok(());
-    for row in rows::<S>(recording) {
+    for row in rows {
         let mut taken = 0;
         let depth = stack::used(|| {
-            taken = instructions(|| result = step(&mut study, &row)).saturating_sub(nothing);
+            taken = instructions(|| result = called(&mut step, &row)).saturating_sub(nothing);
         });
         result?;
         sum += taken;
@@ -31,14 +63,14 @@ pub fn measure<S: Study>(name: &str, recording: &[u8]) -> Result<(), Error> {
         deepest = deepest.max(depth);
         steps += 1;
     }
-    print_row(name, &[sum.checked_div(steps).unwrap_or(0), most, deepest]);
+    print_row("", &[sum.checked_div(steps).unwrap_or(0), most, deepest, size as u32]);
     Ok(())
 }
 
 /// Out of line, as a call from an interrupt would be.
 #[inline(never)]
-fn step<S: Study>(study: &mut S, row: &S::Row) -> Result<(), Error> {
-    core::hint::black_box(study.update(row)?);
+fn called<R, D>(step: &mut impl FnMut(&R) -> Result<D, Error>, row: &R) -> Result<(), Error> {
+    core::hint::black_box(step(row)?);
     Ok(())
 }
 

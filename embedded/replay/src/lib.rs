@@ -5,12 +5,14 @@
 #![no_std]
 #![forbid(unsafe_code)]
 
-use brunovsky::{Error, prelude::*};
+use brunovsky::Error;
 
+mod chain;
 mod robot;
 mod text;
 mod third_order;
 
+pub use chain::{Chain, chain, feedback};
 pub use robot::Robot;
 pub use text::hexadecimal;
 pub use third_order::ThirdOrderLoop;
@@ -59,7 +61,3 @@ pub fn play<S: Study>(recording: &[u8], mut line: impl FnMut(&[u8])) -> Result<(
     }
     Ok(())
 }
-
-/// CLELC on a chain, with the network of the studies: three memberships an input.
-pub(crate) type Learning<P, E, const N: usize> =
-    Clelc<P, NeuroFuzzy<Real, E, SlidingMode<Real>, N, 3>, N>;

@@ -5,9 +5,9 @@ use brunovsky::{
     prelude::*,
 };
 
-use crate::{Learning, Real, Study};
+use crate::{Chain, Real, Study};
 
-type Axis = Learning<IntegratorChain<Real, 2>, ModelAided<Real>, 2>;
+type Axis = Chain<ModelAided<Real>, SlidingMode<Real>, 2, 3>;
 type Pair = UnicycleController<Real, [Axis; 2]>;
 
 /// The robot study, as recommended: λ = 0.3, α = 5, δ = 2, h = 0.2 s, model-aided, |ω| ≤ 0.1 rad/s; p_x, p_y, θ, v and r, ṙ, r̈ of both axes ↦
