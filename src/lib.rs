@@ -24,6 +24,7 @@
 //! | [`learning`] | sources of ė_n, adaptation rules, compensators, certificates | fuzzy |
 //! | [`actuator`] | saturation, rate limits | – |
 //! | [`controller`] | gains, feedback linearization, CLELC, decoupling, the unicycle | plant, learning, actuator |
+//! | [`elementary`] | sine, cosine, hypotenuse in the scalar's own precision | – |
 //! | [`trajectory`] | references r(t) with their derivatives: analytic curves, minimum jerk, constant speed | controller |
 //! | [`simulation`] | the sampled loop, figures of merit | all |
 //!
@@ -32,6 +33,13 @@
 //! # Features
 //! * `std` (default): elementary functions of the platform. Without it they come from `libm`, and the crate needs neither an
 //!   operating system nor an allocator.
+//! * `reproducible`: the functions of `libm` with `std` too, for the same bits on every platform.
+//!
+//! [From simulation to hardware](hardware) is a page for those who put a controller on a machine.
+
+#[cfg(any(doc, doctest))]
+#[doc = include_str!("../docs/hardware.md")]
+pub mod hardware {}
 
 pub mod actuator;
 pub mod controller;
