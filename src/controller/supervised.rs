@@ -5,6 +5,7 @@ use crate::{
     Error, Scalar,
     error::{finite_vector, positive},
     learning::LearningMode,
+    scalar::faded,
 };
 
 /// Who decides the input.
@@ -18,7 +19,7 @@ pub enum Mode {
 
 /// A controller and an operator, who takes over and hands back without a bump.
 ///
-/// Whenever the mode has changed, u(k) = u(k−1): the input stays where it was for a sample. From there on
+/// Whenever the mode has changed, u(k) = u(k−1) to rounding: the input stays where it was for a sample. From there on
 ///
 /// u = u_controller + w, where w moves to zero at the rate R:  |wᵢ(k)| = max(|wᵢ(k−1)| − Rᵢ·h, 0)
 ///
@@ -26,7 +27,10 @@ pub enum Mode {
 /// the input that it did not decide, as applied; [`ModelAided`](crate::learning::ModelAided) does not take w for an uncertainty, and a
 /// difference learns and unlearns it, if α exceeds B + b·R.
 ///
-/// In manual mode nothing can fail: the input is the operator's, whatever the sensors say. Taking over starts from the last input.
+/// In manual mode nothing can fail: the input is the operator's, whatever the sensors say. Taking over starts from the last input. Where
+/// sensors have failed, wait for one good sample before handing back: a difference reaches back to the last one.
+///
+/// An actuator's limits go around it, as [`Limited`](super::Limited) of this: they then hold for the operator and the offset too.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Supervised<C, T, const NU: usize> {
     controller: C,
@@ -87,7 +91,7 @@ impl<C, T: Scalar, const NU: usize> Supervised<C, T, NU> {
             Mode::Manual => LearningMode::Off,
             Mode::Automatic(learning) => learning,
         });
-        if let (Mode::Manual, Some((Mode::Automatic(_), u))) = (mode, self.last) {
+        if let (Mode::Automatic(_), Mode::Manual, Some((_, u))) = (self.mode, mode, self.last) {
             self.manual = u;
         }
         self.mode = mode;
@@ -114,14 +118,16 @@ impl<C, T: Scalar, const NU: usize> Supervised<C, T, NU> {
         &self.controller
     }
 
+    /// The controller inside, to be changed. Its learning mode is that of [`select`](Self::select).
+    pub fn controller_mut(&mut self) -> &mut C {
+        &mut self.controller
+    }
+
     /// The offset at this sample, for a controller that asks for `u`.
     fn offset(&self, u: &SVector<T, NU>, dt: T) -> SVector<T, NU> {
         match self.last {
-            None => SVector::zeros(),
             Some((mode, last)) if mode != self.mode => last - u,
-            Some(_) => self.offset.zip_map(&self.fade, |offset, fade| {
-                (offset.abs() - fade * dt).max(T::zero()).copysign(offset)
-            }),
+            _ => self.offset.zip_map(&self.fade, |offset, fade| faded(offset, fade * dt)),
         }
     }
 }
