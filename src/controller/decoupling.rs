@@ -90,6 +90,11 @@ where
     pub fn chains(&self) -> &C {
         &self.chains
     }
+
+    /// The controllers of the chains, to be changed.
+    pub fn chains_mut(&mut self) -> &mut C {
+        &mut self.chains
+    }
 }
 
 impl<P, C, const NX: usize, const N: usize, const M: usize> Controller<NX, M>

@@ -76,6 +76,27 @@ impl<T: Scalar> Certificate<T> {
         })
     }
 
+    /// How long it takes at most, in seconds, until a jump of Δ by `jump` = J > 0 has left no more than `within` = ε > 0 of itself in |s|, beyond
+    /// the [`residual`](Self::residual):
+    ///
+    /// (J + (r₀ + δ)·L)/(α − B) + (2 + L/2)·h, L = ln(J/ε) if δ > 0 and J > ε, else 0, and r₀ the
+    /// [boundary layer's residual](Self::boundary_layer_residual); `None` unless α > B.
+    ///
+    /// What the jump has left is d = |s| − r₀. While Δ̇ = −B a step takes d to the d⁺ of d − d⁺ = (α − B)h·d⁺/(d⁺ + r₀ + δ), which sums up to
+    /// this by x ≤ (1 + x/2)·ln(1 + x); the explicit sign is faster.
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`] or [`Error::NonFinite`] for either.
+    pub fn recovery_time(&self, jump: T, within: T) -> Result<Option<T>, Error> {
+        let ratio = positive("jump", jump)? / positive("within", within)?;
+        let delta = self.switching.delta();
+        let log = if delta > T::zero() { ratio.ln().max(T::zero()) } else { T::zero() };
+        Ok(self.boundary_layer_residual().map(|layer| {
+            let periods = constant::<T>(2.0) + log * constant(0.5);
+            (jump + (layer + delta) * log) / (self.alpha - self.bound) + periods * self.dt
+        }))
+    }
+
     /// The bound on |e₁| that |s| ≤ [`residual`](Self::residual) implies once transients have died out: residual/λⁿ, for gains with
     /// all `order` = n poles at −λ; `None` unless α > B.
     ///

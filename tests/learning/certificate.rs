@@ -57,6 +57,7 @@ fn nothing_is_promised_unless_learning_is_faster_than_the_uncertainty<T: Scalar>
                 certificate.reaching_time(T::one()).unwrap(),
                 certificate.boundary_layer_residual(),
                 certificate.residual(),
+                certificate.recovery_time(T::one(), T::one()).unwrap(),
                 certificate.tracking_bound(T::one(), 3).unwrap(),
             ];
             assert!(promises.iter().all(|promise| promise.is_some() == holds));
@@ -181,6 +182,28 @@ fn the_sampled_loop_reaches_the_residual_in_the_reaching_time() {
         let left = later.fold(0.0, |left: f64, s| left.max(s.abs()));
         prop_assert!(left <= certificate.residual().unwrap() + 1e-12);
     });
+}
+
+/// A jump of Δ in the worst of directions, from the residual: after the recovery time |s| is within ε of the residual again, whatever Δ does.
+#[test]
+fn a_jump_has_left_no_more_than_was_asked_for_after_the_recovery_time() {
+    for (switching, bound) in SWITCHINGS.into_iter().flat_map(|s| [(s, 0.0), (s, 5.0), (s, 20.0)]) {
+        let certificate = certificate(switching, bound);
+        let residual = certificate.residual().unwrap();
+        for (jump, within) in [(0.01, 1e-3), (8.0, 0.1), (8.0, 1e-6), (0.1, 1.0)] {
+            let time = certificate.recovery_time(jump, within).unwrap().unwrap();
+            let samples = (time / PERIOD).floor() as usize;
+            for kind in 0..DISTURBANCES {
+                let s = trajectory(switching, residual + jump, bound * PERIOD, kind, 3000, |_| 0.0);
+                let left = s.skip(samples).fold(0.0, |left: f64, s| left.max(s.abs()));
+                assert!(left <= residual + within + 1e-12, "{switching:?}, B = {bound}, {kind}");
+            }
+        }
+    }
+    for (jump, within, name) in [(0.0, 1.0, "jump"), (1.0, 0.0, "within")] {
+        let refused = certificate(Switching::SetValued, 5.0).recovery_time(jump, within);
+        assert_eq!(refused, Err(Error::NotPositive { name, value: 0.0 }));
+    }
 }
 
 /// Below the ratio of two a simulated explicit step dies out, above it |s| settles at the amplitude.

@@ -113,6 +113,11 @@ impl<T: Scalar, C: ChainControllers<T, 2, 2>> UnicycleController<T, C> {
     pub fn axes(&self) -> &C {
         self.decoupling.chains()
     }
+
+    /// The controllers of the two axes, to be changed.
+    pub fn axes_mut(&mut self) -> &mut C {
+        self.decoupling.chains_mut()
+    }
 }
 
 impl<T: Scalar, C: ChainControllers<T, 2, 2>> Controller<4, 2> for UnicycleController<T, C> {

@@ -3,12 +3,14 @@ mod conditional;
 mod filtered_difference;
 mod measured;
 mod model_aided;
+mod redundant;
 
 pub use backward_difference::BackwardDifference;
 pub use conditional::Conditional;
 pub use filtered_difference::FilteredDifference;
 pub use measured::Measured;
 pub use model_aided::ModelAided;
+pub use redundant::Redundant;
 
 use super::ClosedLoop;
 use crate::Error;
@@ -24,6 +26,8 @@ use crate::Error;
 /// | [`BackwardDifference`] | nothing | (e_n(k) − e_n(k−1))/dt | dt/2 | 0 |
 /// | [`FilteredDifference`] | nothing | the same through 1/(τp + 1) | dt/2 + τ | 0 |
 /// | [`ModelAided`] | the model | −u_b − u_n − Δ̂, Δ̂ the mean uncertainty of the last period | dt/2 | −u_b − u_n |
+///
+/// [`Redundant`] takes a second source where the first lacks its measurement.
 ///
 /// # Saturated actuators
 /// A difference takes the input that did not arrive for uncertainty, and what is learned from it winds up. Three remedies: [`ModelAided`] counts
