@@ -154,6 +154,11 @@ where
         }
     }
 
+    /// Takes the consequents of `other`.
+    pub(crate) fn restore_consequents(&mut self, other: &Self) {
+        self.consequents = other.consequents;
+    }
+
     /// Carries the memberships along with an input that has moved to `e`. The first time there is no move to follow: they stay
     /// where they are, and M² is to stay between `floor` and `ceiling` from then on.
     pub(crate) fn carry(&mut self, e: &SVector<T, I>, floor: T, ceiling: T) {

@@ -7,8 +7,8 @@ use crate::{
     fuzzy::{Firing, FuzzyNetwork, Grid, Inputs},
 };
 
-/// Any rule with its output projected onto |u_n| ≤ U and, if wanted, |u_n(k) − u_n(k−1)| ≤ R·h: what is learned beyond is taken back
-/// along w̃.
+/// Any rule with its output projected onto |u_n| ≤ U and, if wanted, |u_n(k) − u_n(k−1)| ≤ R·h: a step that leads beyond is replaced by one
+/// along w̃ that leads to the limit.
 ///
 /// U is the largest |Δ| that the plant can have, or the most that the actuator has to give for it. A learner that winds up can do no more
 /// harm than U; a U below |Δ| leaves the rest to the feedback.
@@ -63,16 +63,19 @@ where
         dt: T,
     ) {
         // Before the first sample u_n is what the network was given with.
-        let last = self.clamped(self.last.unwrap_or_else(|| network.output(firing)));
+        let (given, before) = (*network, network.output(firing));
+        let last = self.clamped(self.last.unwrap_or(before));
         self.rule.adapt(network, firing, s, dt);
         let learned = network.output(firing);
         let u_n = match self.rate.map(|rate| rate * dt) {
             None => self.clamped(learned),
             Some(reach) => self.clamped(learned.max(last - reach).min(last + reach)),
         };
-        let excess = learned - u_n;
-        if !excess.is_zero() {
-            network.move_consequents(firing, -excess / firing.norm_squared());
+        // A sum that is not finite is left as it is, to be refused. The step is not undone by a difference: one that is large beside u_n
+        // would leave its rounding behind.
+        if learned.is_finite() && learned != u_n {
+            network.restore_consequents(&given);
+            network.move_consequents(firing, (u_n - before) / firing.norm_squared());
         }
         self.last = Some(u_n);
     }

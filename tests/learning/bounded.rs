@@ -2,14 +2,15 @@ use approx::assert_abs_diff_eq;
 use brunovsky::{
     Error, Scalar,
     fuzzy::FuzzyNetwork,
-    learning::{AdaptationRule, Bounded, SlidingMode},
-    nalgebra::SVector,
+    learning::{AdaptationRule, Bounded, GradientDescent, SlidingMode},
+    nalgebra::{self, SVector},
 };
 
 use crate::support::{NOT_FINITE, real, ulps};
 
 in_both_precisions! {
     the_output_is_the_integral_cut_at_the_bound,
+    an_outlier_moves_the_output_to_the_bound_and_spoils_nothing,
     a_bound_out_of_range_is_refused,
 }
 
@@ -37,6 +38,22 @@ fn the_output_is_the_integral_cut_at_the_bound<T: Scalar>() {
     }
     // A bound that is never reached changes nothing.
     assert_eq!(outputs(Bounded::new(rule, real(10.0)).unwrap(), &s), outputs(rule, &s));
+}
+
+/// u_n ← clamp(u_n + η·w̃ᵀw̃·s·h, −U, U) under gradient descent. A step of 10²⁰, had it been made and taken back by a difference, would leave
+/// 10⁴ behind in f64.
+fn an_outlier_moves_the_output_to_the_bound_and_spoils_nothing<T: Scalar>() {
+    let (rate, bound) = (0.5, 0.6);
+    let network = FuzzyNetwork::<T, 2, 3>::evenly_spaced([T::one(), real(2.0)]).unwrap();
+    let firing = network.fire(&SVector::from([0.3, -0.7].map(real)));
+    let gain = rate * 0.25 * nalgebra::try_convert::<_, f64>(firing.norm_squared()).unwrap();
+    let s = [1.0, 1e20, -2.0, -0.5, -1e30, -1e20, 3.0, 1.0];
+    let rule = GradientDescent::new(real::<T>(rate)).unwrap();
+    let mut wanted = 0.0_f64;
+    for (s, u_n) in s.iter().zip(outputs(Bounded::new(rule, real(bound)).unwrap(), &s)) {
+        wanted = (wanted + gain * s).clamp(-bound, bound);
+        assert_abs_diff_eq!(u_n, real(wanted), epsilon = ulps(32.0));
+    }
 }
 
 fn a_bound_out_of_range_is_refused<T: Scalar>() {
