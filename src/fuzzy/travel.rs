@@ -55,7 +55,8 @@ impl<T: Scalar, const I: usize> Travel<T, I> {
 }
 
 impl<T: Scalar> Flowed<T> {
-    /// No flow yet, and as much to come as keeps M² within the bounds and ln d within three quarters of the range of `T`.
+    /// No flow yet, and as much to come as keeps M² within the bounds, by more than its rounding above 0, and ln d and ln σ within three quarters
+    /// of the range of `T`: at the bounds ln σ = ln d − ½·ln M².
     ///
     /// An input below the floor from the start is at the singularity of the law already: its memberships do not flow.
     fn within<const K: usize>(row: &[Gaussian<T>; K], floor: T, ceiling: T) -> Self {
@@ -71,10 +72,16 @@ impl<T: Scalar> Flowed<T> {
         let farthest = distances.into_iter().reduce(T::max).unwrap_or(zero);
         let half = constant::<T>(0.5);
         let room = T::max_value().map_or(constant(60.0), |max| max.ln() * constant(0.75));
+        let widening = (floor.ln() * half).min(zero);
+        let narrowing = (ceiling.ln() * half).max(zero);
+        let vanishing = lowest * (T::default_epsilon() * constant(4.0) - half);
         Self {
             by: zero,
-            least: ((floor - lowest) * half).max(farthest.ln() - room).min(zero),
-            most: ((ceiling - highest) * half).min(nearest.ln() + room).max(zero),
+            least: ((floor - lowest) * half)
+                .max(vanishing)
+                .max(farthest.ln() - widening - room)
+                .min(zero),
+            most: ((ceiling - highest) * half).min(nearest.ln() - narrowing + room).max(zero),
         }
     }
 }
