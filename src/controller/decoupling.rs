@@ -1,9 +1,10 @@
 use nalgebra::{ComplexField, SMatrix, SVector};
+use num_traits::One;
 
 use super::{ChainControllers, Command, Controller, Measurement, Reference};
 use crate::{
     Error, Scalar,
-    error::{finite_vector, positive, value},
+    error::{finite_vector, positive, remembered, value},
     learning::LearningMode,
     plant::Decouplable,
     scalar::{constant, epsilon},
@@ -104,7 +105,8 @@ where
 
     /// # Errors
     /// [`Error::NotPositive`] for `dt`; [`Error::NonFiniteEntry`] for the measurement, a(x), the chains and u;
-    /// [`Error::IllConditioned`] for B(x); and those of the chains' controllers.
+    /// [`Error::IllConditioned`] for B(x); [`Error::NonFinite`] for a(x) and u that are too large to be remembered; and those of the chains'
+    /// controllers.
     fn update(
         &mut self,
         measurement: &Measurement<P::Scalar, NX, M>,
@@ -142,6 +144,10 @@ where
         let (nu, commands) = chains.update_all(&told, reference, dt)?;
         let u = inverse * (nu - now.drift);
         finite_vector("u", &u)?;
+        for (u, drift) in u.iter().zip(now.drift.iter()) {
+            remembered("u", *u, P::Scalar::one())?;
+            remembered("a(x)", *drift, P::Scalar::one())?;
+        }
 
         self.chains = chains;
         self.input = u;

@@ -5,6 +5,8 @@
 
 mod driver;
 
+mod outliers;
+
 use proptest::prelude::*;
 
 /// Bytes of an attack: single ones, and tags of a number with any bit pattern behind them.

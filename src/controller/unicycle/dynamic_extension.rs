@@ -6,7 +6,7 @@ use crate::{
         ChainControllers, Command, Controller, Decoupling, DecouplingCommand, Measurement,
         Reference, unicycle::Direction,
     },
-    error::{finite, positive, value},
+    error::{finite, positive, remembered, value},
     learning::LearningMode,
     plant::{Decouplable, Unicycle},
 };
@@ -121,7 +121,8 @@ impl<T: Scalar, C: ChainControllers<T, 2, 2>> Controller<4, 2> for UnicycleContr
     type Command = UnicycleCommand<T, C::Commands>;
 
     /// # Errors
-    /// Those of [`Decoupling`], and [`Error::Singular`] for a speed below the minimum if that is to be refused.
+    /// Those of [`Decoupling`], [`Error::Singular`] for a speed below the minimum if that is to be refused, and [`Error::NonFinite`] for a
+    /// speed command so large that its change over the next period would leave the range of the scalar.
     fn update(
         &mut self,
         measurement: &Measurement<T, 4, 2>,
@@ -147,6 +148,8 @@ impl<T: Scalar, C: ChainControllers<T, 2, 2>> Controller<4, 2> for UnicycleContr
         let mut next = self.decoupling.clone();
         let decoupled = next.update(&extended, reference, dt)?;
         let v = finite("v", reached + decoupled.u[0] * dt)?;
+        remembered("applied v/dt", reached, dt)?;
+        remembered("v/dt", v, dt)?;
 
         self.decoupling = next;
         self.speeds = Some([reached, v]);

@@ -41,10 +41,10 @@ fn it_stops_where_learning_pushes_into_the_limit_and_only_there<T: Scalar>() {
 fn a_rate_beyond_the_range_is_refused_and_not_replaced<T: Scalar>() {
     let filter = FilteredDifference::new(T::zero()).unwrap();
     let mut source = Conditional::new(filter, T::zero()).unwrap();
-    let at = |e_n: T| ClosedLoop { u: -T::one(), ..at_error(e_n) };
-    let tiny = T::max_value().unwrap().recip();
-    assert_eq!(source.error_rate(&at(T::zero()), T::zero(), tiny), Ok(T::zero()));
-    let error = source.error_rate(&at(real(9.0)), T::zero(), tiny);
+    let at = |e_n: T| ClosedLoop { u: T::one(), ..at_error(e_n) };
+    assert_eq!(source.error_rate(&at(T::one()), T::zero(), T::one()), Ok(T::zero()));
+    let error =
+        source.error_rate(&at(T::zero()), T::zero(), T::max_value().unwrap().recip() * real(0.25));
     assert!(matches!(error, Err(Error::NonFinite { name: "rate of e_n", .. })), "{error:?}");
 }
 
