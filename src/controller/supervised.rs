@@ -78,7 +78,7 @@ impl<C, T: Scalar, const NU: usize> Supervised<C, T, NU> {
         Ok(Self { controller, fade, mode: Mode::Manual, manual: zero, offset: zero, last: None })
     }
 
-    /// Changes the mode, from the next sample on.
+    /// Changes the mode, from the next sample on. To select the present one changes nothing.
     pub fn select<const NX: usize>(&mut self, mode: Mode)
     where
         C: Controller<NX, NU, Scalar = T>,
@@ -87,7 +87,10 @@ impl<C, T: Scalar, const NU: usize> Supervised<C, T, NU> {
             Mode::Manual => LearningMode::Off,
             Mode::Automatic(learning) => learning,
         });
-        if let (Mode::Manual, Some((Mode::Automatic(_), u))) = (mode, self.last) {
+        let from_to = (self.mode, mode);
+        if let ((Mode::Automatic(_), Mode::Manual), Some((Mode::Automatic(_), u))) =
+            (from_to, self.last)
+        {
             self.manual = u;
         }
         self.mode = mode;

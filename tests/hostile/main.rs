@@ -4,7 +4,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 mod driver;
-
+mod operator;
 mod outliers;
 
 use proptest::prelude::*;
