@@ -17,7 +17,7 @@ fn selecting_the_present_mode_keeps_the_input_that_was_set() {
     );
     let mut supervised = Supervised::new(base, [1.0]).unwrap();
     supervised.select(Mode::Automatic(LearningMode::Active));
-    let mut sample = |supervised: &mut Supervised<_, f64, 1>| {
+    let sample = |supervised: &mut Supervised<_, f64, 1>| {
         let command = supervised.update(&Measurement::new([0.0]), &Reference::setpoint(2.0), 0.1);
         command.unwrap().input()[0]
     };
