@@ -80,7 +80,7 @@ pub struct Bytes<'a> {
 impl<'a> Bytes<'a> {
     pub fn new(data: &'a [u8]) -> Self {
         let (first, rest) = data.split_first().unwrap_or((&0, &[]));
-        Self { rest, single: first & 1 == 1, deep: first & 2 == 2, wild: false }
+        Self { rest, single: first & 1 == 1, deep: first & 14 == 2, wild: false }
     }
 
     /// Bytes that decode to moderate numbers, with every option taken.

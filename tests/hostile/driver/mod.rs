@@ -20,7 +20,7 @@
 //!
 //! # Why "as before" means bit for bit
 //! `==` finds every difference but the sign of a zero, and no NaN equals itself. The sign of a zero shows in what `Debug` prints, which is exact for
-//! every other number too; as that is slow, a bit of the input asks for it. Without it, a sign that matters shows in what follows.
+//! every other number too; as that is slow, an eighth of the inputs ask for it. Without it, a sign that matters shows in what follows.
 
 pub mod actuator;
 pub mod chain;
