@@ -82,7 +82,7 @@ impl<C, T: Scalar, const NU: usize> Supervised<C, T, NU> {
         Ok(Self { controller, fade, mode: Mode::Manual, manual: zero, offset: zero, last: None })
     }
 
-    /// Changes the mode, from the next sample on.
+    /// Changes the mode, from the next sample on. To select the present one changes nothing.
     pub fn select<const NX: usize>(&mut self, mode: Mode)
     where
         C: Controller<NX, NU, Scalar = T>,
@@ -91,7 +91,9 @@ impl<C, T: Scalar, const NU: usize> Supervised<C, T, NU> {
             Mode::Manual => LearningMode::Off,
             Mode::Automatic(learning) => learning,
         });
-        if let (Mode::Automatic(_), Mode::Manual, Some((_, u))) = (self.mode, mode, self.last) {
+        if let (Mode::Automatic(_), Mode::Manual, Some((Mode::Automatic(_), u))) =
+            (self.mode, mode, self.last)
+        {
             self.manual = u;
         }
         self.mode = mode;

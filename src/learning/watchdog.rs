@@ -60,16 +60,17 @@ impl<T: Scalar> Watchdog<T> {
     /// Judges the next s. Once it has tripped it stays so until [`reset`](Self::reset).
     ///
     /// # Errors
-    /// [`Error::NonFinite`] for an s that is not finite; the watchdog is then as before.
+    /// [`Error::NonFinite`] for an s that is not finite, or a bound on it or a time beyond the range of `T`; the watchdog is then as before.
     pub fn update(&mut self, s: T) -> Result<Watch<T>, Error> {
         let size = finite("s", s)?.abs();
         let possible = match self.possible {
             None => size + self.slack,
             Some(last) => self.certificate.worst_noisy(last, self.slack),
         };
-        let allowed = possible + self.slack;
+        let allowed = finite("allowed s", possible + self.slack)?;
         let dt = self.certificate.dt();
-        self.late = if size > allowed { self.late + dt } else { (self.late - dt).max(T::zero()) };
+        let late = if size > allowed { self.late + dt } else { (self.late - dt).max(T::zero()) };
+        self.late = finite("time above the bound", late)?;
         self.tripped |= self.late > self.patience;
         self.possible = Some(possible);
         Ok(Watch { allowed, late: self.late, tripped: self.tripped })

@@ -19,6 +19,7 @@ in_both_precisions! {
     the_tracking_bound_divides_by_the_steady_state_gain,
     the_set_valued_sign_has_no_boundary_layer,
     a_parameter_out_of_range_is_refused,
+    what_parameters_in_range_make_out_of_range_is_refused,
 }
 
 fn certificate<T: Scalar>(switching: Switching<T>, bound: f64) -> Certificate<T> {
@@ -123,6 +124,32 @@ fn a_parameter_out_of_range_is_refused<T: Scalar>() {
     let explicit =
         Certificate::new(T::one(), Switching::Explicit { delta: T::zero() }, T::one(), T::zero());
     assert_eq!(explicit.unwrap_err(), Error::NotPositive { name: "delta", value: 0.0 });
+}
+
+/// αh would be infinite or 0, B·h and the residual δB/(α − B) infinite: what a monitor carries along would be NaN.
+fn what_parameters_in_range_make_out_of_range_is_refused<T: Scalar>() {
+    let most = T::max_value().unwrap();
+    let (big, small, one) = (most.sqrt() * real(4.0), real::<T>(0.25) / most.sqrt(), T::one());
+    let small = small * T::default_epsilon();
+    let implicit = |delta| Switching::Implicit { delta };
+    for (alpha, delta, dt, bound, expected) in [
+        (big, one, big, one, "alpha*dt"),
+        (small, one, small, T::zero(), "alpha*dt"),
+        (one, one, big, big, "bound*dt"),
+        (real(4.0), most, one, real(3.0), "residual"),
+    ] {
+        match Certificate::new(alpha, implicit(delta), dt, bound) {
+            Err(Error::NonFinite { name, .. } | Error::NotPositive { name, .. }) => {
+                assert_eq!(name, expected);
+            }
+            other => panic!("{expected}: {other:?}"),
+        }
+    }
+    let certificate = Certificate::new(one, implicit(one), one, real(0.5)).unwrap();
+    let time = certificate.reaching_time(most);
+    assert!(matches!(time, Err(Error::NonFinite { name: "reaching time", .. })));
+    let bound = certificate.tracking_bound(small, 3);
+    assert!(matches!(bound, Err(Error::NonFinite { name: "tracking bound", .. })));
 }
 
 /// The adversary moves Δ as it likes within its bound; once transients have died out, |s| is below the residual, to rounding.
