@@ -4,7 +4,7 @@ use super::{Gaussian, Grid, Inputs, travel::Travel};
 use crate::{
     Error, Scalar,
     error::{finite, finite_vector, positive},
-    scalar::constant,
+    scalar::{constant, epsilon},
 };
 
 /// A zeroth-order Takagi–Sugeno–Kang network with I inputs, K Gaussian memberships an input and Kᴵ rules:
@@ -31,6 +31,8 @@ where
 {
     strengths: <Inputs<I> as Grid>::Cube<T, K>,
     norm_squared: T,
+    /// Whether this is the firing of memberships at the input that they travel with.
+    carried: bool,
 }
 
 impl<T: Scalar, const I: usize, const K: usize> Firing<T, I, K>
@@ -114,6 +116,9 @@ where
         for (own, new) in own.iter_mut().zip(consequents) {
             *own = *new;
         }
+        if let Some(travel) = &mut self.travel {
+            travel.moved = T::zero();
+        }
         Ok(())
     }
 
@@ -134,7 +139,9 @@ where
         match self.travel {
             None => firing(&self.memberships, e),
             // At the input that they travel with, memberships fire as they did at the start.
-            Some(travel) if travel.at == *e => firing(&self.memberships, &SVector::zeros()),
+            Some(travel) if travel.at == *e => {
+                Firing { carried: true, ..firing(&self.memberships, &SVector::zeros()) }
+            }
             Some(travel) => firing(&travel.flowed(&self.memberships), &(e - travel.at)),
         }
     }
@@ -148,9 +155,19 @@ where
     /// Adds `rate`·w̃ to the consequents, which changes the output at that firing by `rate`·w̃ᵀw̃. This is the formula and no
     /// more: a rate that is not finite spoils them.
     pub fn move_consequents(&mut self, firing: &Firing<T, I, K>, rate: T) {
+        // All moves of a travel go along one w̃. Their sum is kept, and the consequents are taken back by the last and forth by the next:
+        // those that started from zero are the sum times w̃ to the last bit, and no rounding of theirs ever adds up.
+        let (back, forth) = match &mut self.travel {
+            Some(travel) if firing.carried => {
+                let back = travel.moved;
+                travel.moved += rate;
+                (back, travel.moved)
+            }
+            _ => (T::zero(), rate),
+        };
         let consequents = Inputs::<I>::values_mut(&mut self.consequents);
         for (f, w) in consequents.iter_mut().zip(firing.strengths()) {
-            *f += rate * *w;
+            *f = (*f - back * *w) + forth * *w;
         }
     }
 
@@ -204,20 +221,34 @@ where
         *grades = normalized(row.map(|membership| membership.distance(*e).abs()));
         norm_squared *= sum_of_squares(grades);
     }
-    Firing { strengths: Inputs::<I>::outer(&grades, T::one()), norm_squared }
+    let mut strengths = Inputs::<I>::outer(&grades, T::one());
+    for strength in Inputs::<I>::values_mut(&mut strengths) {
+        *strength = at_least(epsilon::<T>() * epsilon(), *strength);
+    }
+    Firing { strengths, norm_squared, carried: false }
 }
 
 /// exp(−Mₖ²/2)/Σ exp(−M²/2) for distances M ≥ 0.
 ///
 /// The difference of squares is taken as a product, which keeps its accuracy far out. Equal distances give 1 before any
-/// arithmetic, so that even distances which overflowed to infinity divide up evenly.
+/// arithmetic, so that even distances which overflowed to infinity divide up evenly. A grade below ε is lost in the rounding of the sum.
 fn normalized<T: Scalar, const K: usize>(distances: [T; K]) -> [T; K] {
     let nearest = distances.into_iter().reduce(T::min).unwrap_or(T::zero());
     let grades = distances.map(|m| {
-        if m == nearest { T::one() } else { ((nearest - m) * (nearest + m) * constant(0.5)).exp() }
+        if m == nearest {
+            T::one()
+        } else {
+            at_least(epsilon(), ((nearest - m) * (nearest + m) * constant(0.5)).exp())
+        }
     });
     let sum = grades.iter().fold(T::zero(), |sum, grade| sum + *grade);
     grades.map(|grade| grade / sum)
+}
+
+/// `weight`, or 0 below `least`: what is lost in rounding anyway, and whose products would soon be subnormal, of which a step takes many times as
+/// long.
+fn at_least<T: Scalar>(least: T, weight: T) -> T {
+    if weight < least { T::zero() } else { weight }
 }
 
 fn sum_of_squares<T: Scalar>(values: &[T]) -> T {

@@ -3,7 +3,7 @@ use nalgebra::SVector;
 use super::Gaussian;
 use crate::{Scalar, scalar::constant};
 
-/// Memberships on the move: the input that they travel with, and how far the flow of the antecedents has taken them.
+/// Memberships on the move: the input that they travel with, how far the flow of the antecedents has taken them, and the consequents with them.
 ///
 /// By the flow d = d₀·e^{−T} and M² = M₀² + 2T, with one T for all memberships of an input. Nothing but T is stored, so the
 /// differences of M², and with them the normalized firing strengths, are constant to the last bit however long the flow goes on.
@@ -11,6 +11,8 @@ use crate::{Scalar, scalar::constant};
 pub(super) struct Travel<T, const I: usize> {
     /// The input that the memberships are given relative to, so that d₀ = −c₀.
     pub at: SVector<T, I>,
+    /// How far the consequents have moved along w̃.
+    pub moved: T,
     /// T, for each input.
     flowed: [Flowed<T>; I],
 }
@@ -31,7 +33,7 @@ impl<T: Scalar, const I: usize> Travel<T, I> {
         ceiling: T,
     ) -> Self {
         let flowed = memberships.each_ref().map(|row| Flowed::within(row, floor, ceiling));
-        Self { at, flowed }
+        Self { at, moved: T::zero(), flowed }
     }
 
     /// Moves every M²/2 by `tau`, or as far as the bounds of its input allow.

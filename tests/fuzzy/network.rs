@@ -16,6 +16,7 @@ in_both_precisions! {
     the_strengths_are_a_partition_of_unity_with_the_stated_norm,
     far_from_every_centre_the_strengths_stay_a_partition_of_unity,
     far_out_the_nearest_membership_takes_all,
+    what_is_lost_in_rounding_is_zero_and_not_subnormal,
     parameters_are_read_back_as_they_were_set,
     refused_consequents_leave_the_network_as_it_was,
     an_input_that_is_not_finite_is_refused,
@@ -115,6 +116,25 @@ fn far_out_the_nearest_membership_takes_all<T: Scalar>() {
             assert_eq!(network.fire(&e).norm_squared(), T::one());
         }
     }
+}
+
+fn dwindling<T: Scalar, const I: usize, const K: usize>()
+where
+    Inputs<I>: Grid,
+{
+    // With centres one width apart grades differ by factors e^M: somewhere on the way out each is in every decade that there is.
+    let network = evenly_spaced::<T, I, K>(T::one());
+    let least = T::default_epsilon() * T::default_epsilon();
+    for step in 0..4000 {
+        let e = SVector::from_fn(|i, _| real::<T>(0.1 * f64::from(step) / (i + 1) as f64));
+        for strength in network.fire(&e).strengths() {
+            assert!(strength.is_zero() || *strength >= least);
+        }
+    }
+}
+
+fn what_is_lost_in_rounding_is_zero_and_not_subnormal<T: Scalar>() {
+    for_every_shape!(dwindling::<T>);
 }
 
 fn read_back<T: Scalar, const I: usize, const K: usize>()
