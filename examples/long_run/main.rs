@@ -1,7 +1,7 @@
 //! Does learning that never stops stay what it was? CLELC for a very long time under noise and a drifting disturbance.
 //!
 //! Decade by decade, from 10⁴ steps on: the error and what has not been learned, with confidence intervals; the parameters, which must stay
-//! bounded; subnormal numbers, which would slow a processor down and must not appear; and the time of a step. Three months at 100 Hz are
+//! bounded; subnormal numbers, which would slow a processor down and must not appear; and the time of a step. Four months at 100 Hz are
 //!
 //! `cargo run --release --example long_run -- --steps 1e9`
 

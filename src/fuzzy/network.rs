@@ -134,7 +134,7 @@ where
     /// The normalized firing strengths at a finite input `e` (eq_wr, eq_wrwidetilde).
     ///
     /// For each input the grades are taken relative to the nearest membership: exp((M_near² − M_ik²)/2) is 1 for the nearest
-    /// and at most 1 for the others, so the sums are never zero, at any distance from the centres.
+    /// and at most 1 for the others, so the sums are never zero, at any distance from the centres. What is lost beside it in rounding is 0.
     pub fn fire(&self, e: &SVector<T, I>) -> Firing<T, I, K> {
         match self.travel {
             None => firing(&self.memberships, e),
