@@ -6,7 +6,7 @@ use super::{
 };
 use crate::{
     Error, Scalar,
-    learning::{Compensator, LearningMode},
+    learning::{ClosedLoop, Compensation, Compensator, LearningMode},
     plant::FeedbackLinearizable,
 };
 
@@ -104,15 +104,17 @@ impl<P: FeedbackLinearizable<N>, C: Compensator<P::Scalar, N>, const N: usize> C
         accept: Accept<Self::Command>,
     ) -> Result<Self::Command, Error> {
         let at = self.base.closed_loop(measurement, reference, dt, self.last, self.learning)?;
-        let (learned, compensation) = self.compensator.advanced(&at, dt)?;
-        let u = linearizing(&at, at.u_f + at.u_b + compensation.u_n)?;
-        let command =
-            ClelcCommand { u, u_f: at.u_f, u_b: at.u_b, u_n: compensation.u_n, s: compensation.s };
-        accept(&command)?;
-
-        self.compensator = learned;
+        let command = |u, Compensation { u_n, s }: Compensation<_>| {
+            let ClosedLoop { u_f, u_b, .. } = at;
+            ClelcCommand { u, u_f, u_b, u_n, s }
+        };
+        let mut u = nalgebra::zero();
+        let compensation = self.compensator.advance_if(&at, dt, &mut |compensation| {
+            u = linearizing(&at, at.u_f + at.u_b + compensation.u_n)?;
+            accept(&command(u, *compensation))
+        })?;
         self.last = u;
-        Ok(command)
+        Ok(command(u, compensation))
     }
 
     fn reset(&mut self) {

@@ -43,7 +43,11 @@ impl<T: Scalar> Gaussian<T> {
     /// The same function moved by `by` along e, as far as the range of `T` goes.
     pub(super) fn shifted(&self, by: T) -> Self {
         let moved = self.centre + by;
-        let centre = T::max_value().map_or(moved, |most| moved.max(-most).min(most));
+        let centre = if moved.is_finite() {
+            moved
+        } else {
+            T::max_value().map_or(moved, |most| most.copysign(moved))
+        };
         Self { centre, width: self.width }
     }
 

@@ -1,7 +1,10 @@
 use nalgebra::SVector;
 
 use super::Gaussian;
-use crate::{Scalar, scalar::constant};
+use crate::{
+    Scalar,
+    scalar::{constant, epsilon},
+};
 
 /// The membership grades of every input, normalized to sum to 1: exp(−Mᵢₖ²/2)/Σₖ exp(−Mᵢₖ²/2).
 ///
@@ -25,10 +28,11 @@ impl<T: Scalar, const I: usize, const K: usize> Grades<T, I, K> {
         &self.0
     }
 
-    /// w̃ᵀw̃ = Πᵢ Σₖ μ̃ᵢₖ² of their outer product w̃.
-    pub fn norm_squared(&self) -> T {
-        self.0.iter().fold(T::one(), |product, row| {
-            product * row.iter().fold(T::zero(), |sum, grade| sum + *grade * *grade)
+    /// w̃ᵀṽ = Πᵢ Σₖ μ̃ᵢₖ·ν̃ᵢₖ for the outer products w̃ of these grades and ṽ of the `others`.
+    pub fn dot(&self, others: &Self) -> T {
+        self.0.iter().zip(&others.0).fold(T::one(), |product, (row, other)| {
+            let pairs = row.iter().zip(other);
+            product * pairs.fold(T::zero(), |sum, (a, b)| sum + *a * *b)
         })
     }
 }
@@ -36,11 +40,18 @@ impl<T: Scalar, const I: usize, const K: usize> Grades<T, I, K> {
 /// exp(−Mₖ²/2)/Σ exp(−M²/2) for distances M ≥ 0.
 ///
 /// The difference of squares is taken as a product, which keeps its accuracy far out. Equal distances give 1 before any
-/// arithmetic, so that even distances which overflowed to infinity divide up evenly.
+/// arithmetic, so that even distances which overflowed to infinity divide up evenly. A grade below ε is lost in the rounding of the sum.
 fn normalized<T: Scalar, const K: usize>(distances: [T; K]) -> [T; K] {
     let nearest = distances.into_iter().reduce(T::min).unwrap_or(T::zero());
     let grades = distances.map(|m| {
-        if m == nearest { T::one() } else { ((nearest - m) * (nearest + m) * constant(0.5)).exp() }
+        let grade = ((nearest - m) * (nearest + m) * constant(0.5)).exp();
+        if m == nearest {
+            T::one()
+        } else if grade < epsilon() {
+            T::zero()
+        } else {
+            grade
+        }
     });
     let sum = grades.iter().fold(T::zero(), |sum, grade| sum + *grade);
     grades.map(|grade| grade / sum)

@@ -1,4 +1,4 @@
-use crate::Scalar;
+use crate::{Scalar, scalar::epsilon};
 
 /// The number of inputs of a network, as a type.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -19,9 +19,18 @@ pub trait Grid {
     /// `value` for every rule.
     fn filled<T: Scalar, const K: usize>(value: T) -> Self::Cube<T, K>;
 
-    /// `scale` times the outer product of the rows: entry (k₁, …, k_I) is scale·Πᵢ rowsᵢ\[kᵢ\]. One row an input; a missing
-    /// row counts as ones.
-    fn outer<T: Scalar, const K: usize>(rows: &[[T; K]], scale: T) -> Self::Cube<T, K>;
+    /// The sum of the values, each times Πᵢ rowsᵢ\[kᵢ\] for its rule (k₁, …, k_I): one input after another. One row an input; a missing row
+    /// counts as ones.
+    fn contracted<T: Scalar, const K: usize>(cube: &Self::Cube<T, K>, rows: &[[T; K]]) -> T;
+
+    /// Adds `rate` times the weight `weight`·Πᵢ rowsᵢ\[kᵢ\] to the value of each rule. Weights below ε² are left out: beside those that sum
+    /// up to 1 they are lost in rounding, and their products would soon be subnormal numbers, of which a step takes many times as long.
+    fn add_outer<T: Scalar, const K: usize>(
+        cube: &mut Self::Cube<T, K>,
+        rows: &[[T; K]],
+        weight: T,
+        rate: T,
+    );
 
     /// The values in the order of the rules, last input fastest.
     fn values<T: Scalar, const K: usize>(cube: &Self::Cube<T, K>) -> &[T];
@@ -37,10 +46,21 @@ impl Grid for Inputs<1> {
         [value; K]
     }
 
-    fn outer<T: Scalar, const K: usize>(rows: &[[T; K]], scale: T) -> [T; K] {
-        match rows.first() {
-            Some(row) => row.map(|grade| scale * grade),
-            None => [scale; K],
+    fn contracted<T: Scalar, const K: usize>(cube: &[T; K], rows: &[[T; K]]) -> T {
+        first(rows).iter().zip(cube).fold(T::zero(), |sum, (grade, value)| sum + *grade * *value)
+    }
+
+    fn add_outer<T: Scalar, const K: usize>(
+        cube: &mut [T; K],
+        rows: &[[T; K]],
+        weight: T,
+        rate: T,
+    ) {
+        for (value, grade) in cube.iter_mut().zip(first(rows)) {
+            let weight = weight * grade;
+            if weight >= negligible() {
+                *value += rate * weight;
+            }
         }
     }
 
@@ -53,6 +73,21 @@ impl Grid for Inputs<1> {
     }
 }
 
+/// The row of the first input; ones if there is none.
+fn first<T: Scalar, const K: usize>(rows: &[[T; K]]) -> [T; K] {
+    rows.first().copied().unwrap_or([T::one(); K])
+}
+
+/// The rows of the inputs after the first.
+fn others<T, const K: usize>(rows: &[[T; K]]) -> &[[T; K]] {
+    rows.get(1..).unwrap_or_default()
+}
+
+/// ε².
+fn negligible<T: Scalar>() -> T {
+    epsilon::<T>() * epsilon()
+}
+
 /// The grid over `$inputs` inputs is K copies of the grid over one fewer; `$flatten` undoes the nesting once a level.
 macro_rules! grid {
     ($inputs:literal = 1 + $fewer:literal, $($flatten:ident $flatten_mut:ident),+) => {
@@ -63,10 +98,26 @@ macro_rules! grid {
                 [Inputs::<$fewer>::filled(value); K]
             }
 
-            fn outer<T: Scalar, const K: usize>(rows: &[[T; K]], scale: T) -> Self::Cube<T, K> {
-                match rows {
-                    [row, rest @ ..] => row.map(|grade| Inputs::<$fewer>::outer(rest, scale * grade)),
-                    [] => Self::filled(scale),
+            fn contracted<T: Scalar, const K: usize>(
+                cube: &Self::Cube<T, K>,
+                rows: &[[T; K]],
+            ) -> T {
+                first(rows).iter().zip(cube).fold(T::zero(), |sum, (grade, part)| {
+                    sum + *grade * Inputs::<$fewer>::contracted(part, others(rows))
+                })
+            }
+
+            fn add_outer<T: Scalar, const K: usize>(
+                cube: &mut Self::Cube<T, K>,
+                rows: &[[T; K]],
+                weight: T,
+                rate: T,
+            ) {
+                for (part, grade) in cube.iter_mut().zip(first(rows)) {
+                    let weight = weight * grade;
+                    if weight >= negligible() {
+                        Inputs::<$fewer>::add_outer(part, others(rows), weight, rate);
+                    }
                 }
             }
 

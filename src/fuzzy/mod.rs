@@ -22,8 +22,10 @@ mod gaussian;
 mod grades;
 mod grid;
 mod network;
+mod rules;
 mod travel;
 
 pub use gaussian::Gaussian;
 pub use grid::{Grid, Inputs};
 pub use network::{Firing, FuzzyNetwork};
+pub use rules::Rules;

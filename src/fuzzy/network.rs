@@ -1,6 +1,6 @@
 use nalgebra::SVector;
 
-use super::{Gaussian, Grid, Inputs, grades::Grades, travel::Travel};
+use super::{Gaussian, Grid, Inputs, Rules, grades::Grades, travel::Travel};
 use crate::{
     Error, Scalar,
     error::{finite, finite_vector, positive},
@@ -20,17 +20,17 @@ where
     /// How the memberships move, once a rule has carried them along with the input.
     travel: Option<Travel<T, I, K>>,
     memberships: [[Gaussian<T>; K]; I],
-    consequents: <Inputs<I> as Grid>::Cube<T, K>,
+    /// Those at the start of the travel.
+    consequents: Rules<T, I, K>,
 }
 
-/// How strongly each rule fires at one input: the normalized firing strengths w̃, which are not negative and sum to 1.
+/// How strongly each rule fires at one input of a network: the normalized firing strengths w̃, which are not negative and sum to 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Firing<T: Scalar, const I: usize, const K: usize>
-where
-    Inputs<I>: Grid,
-{
-    strengths: <Inputs<I> as Grid>::Cube<T, K>,
+pub struct Firing<T: Scalar, const I: usize, const K: usize> {
+    grades: Grades<T, I, K>,
     norm_squared: T,
+    /// Whether this is the firing of memberships at the input that they travel with.
+    carried: bool,
 }
 
 impl<T: Scalar, const I: usize, const K: usize> Firing<T, I, K>
@@ -38,8 +38,10 @@ where
     Inputs<I>: Grid,
 {
     /// The normalized firing strengths w̃ in the order of the rules.
-    pub fn strengths(&self) -> &[T] {
-        Inputs::<I>::values(&self.strengths)
+    pub fn strengths(&self) -> Rules<T, I, K> {
+        let mut strengths = Rules::filled(T::zero());
+        strengths.add(self.grades.rows(), T::one());
+        strengths
     }
 
     /// w̃ᵀw̃, between K⁻ᴵ (all rules fire alike) and 1 (one rule fires alone).
@@ -47,12 +49,8 @@ where
         self.norm_squared
     }
 
-    /// The rules of a full grid fire as the outer product of the grades (factorization of the sum of products).
-    fn of(grades: &Grades<T, I, K>) -> Self {
-        Self {
-            strengths: Inputs::<I>::outer(grades.rows(), T::one()),
-            norm_squared: grades.norm_squared(),
-        }
+    fn of(grades: Grades<T, I, K>) -> Self {
+        Self { grades, norm_squared: grades.dot(&grades), carried: false }
     }
 }
 
@@ -63,7 +61,7 @@ where
     /// A network with the given memberships and all consequents zero, so that its output is zero until it has learned.
     pub fn new(memberships: [[Gaussian<T>; K]; I]) -> Self {
         const { assert!(K > 0, "a fuzzy network needs at least one membership an input") };
-        Self { travel: None, memberships, consequents: Inputs::<I>::filled(T::zero()) }
+        Self { travel: None, memberships, consequents: Rules::filled(T::zero()) }
     }
 
     /// K memberships evenly spaced over \[−rangeᵢ, rangeᵢ\] for each input, as wide as they are apart; one alone sits at 0
@@ -93,13 +91,18 @@ where
 
     /// Replaces the membership functions.
     pub fn set_memberships(&mut self, memberships: [[Gaussian<T>; K]; I]) {
+        self.consequents = self.consequents();
         self.travel = None;
         self.memberships = memberships;
     }
 
     /// The consequents f_r, in the order of the rules.
-    pub fn consequents(&self) -> &[T] {
-        Inputs::<I>::values(&self.consequents)
+    pub fn consequents(&self) -> Rules<T, I, K> {
+        let mut consequents = self.consequents;
+        if let Some(travel) = &self.travel {
+            consequents.add(travel.grades.rows(), travel.moved);
+        }
+        consequents
     }
 
     /// Replaces the consequents f_r.
@@ -108,19 +111,19 @@ where
     /// [`Error::Length`] unless there are Kᴵ of them, [`Error::NonFinite`] for one that is not finite; the network is then
     /// as before.
     pub fn set_consequents(&mut self, consequents: &[T]) -> Result<(), Error> {
-        let own = Inputs::<I>::values_mut(&mut self.consequents);
-        if own.len() != consequents.len() {
-            return Err(Error::Length {
-                name: "consequents",
-                expected: own.len(),
-                found: consequents.len(),
-            });
+        let (expected, found) = (self.consequents.len(), consequents.len());
+        if expected != found {
+            return Err(Error::Length { name: "consequents", expected, found });
         }
         for consequent in consequents {
             finite("consequent", *consequent)?;
         }
-        for (own, new) in own.iter_mut().zip(consequents) {
+        for (own, new) in self.consequents.iter_mut().zip(consequents) {
             *own = *new;
+        }
+        if let Some(travel) = &mut self.travel {
+            travel.start = self.consequents.mean(travel.grades.rows());
+            travel.moved = T::zero();
         }
         Ok(())
     }
@@ -137,27 +140,38 @@ where
     /// The normalized firing strengths at a finite input `e` (eq_wr, eq_wrwidetilde).
     ///
     /// They are the outer product of the normalized grades of each input, taken relative to the nearest membership: no 0/0, at any distance
-    /// from the centres. Memberships that travel with the input fire as they did at the start, which is remembered.
+    /// from the centres. What is lost beside the largest in rounding is 0. Memberships that travel with the input fire as they did at the
+    /// start, which is remembered.
     pub fn fire(&self, e: &SVector<T, I>) -> Firing<T, I, K> {
-        Firing::of(&match self.travel {
-            None => Grades::at(&self.memberships, e),
-            Some(travel) if travel.at == *e => travel.grades,
-            Some(travel) => Grades::at(&travel.flowed(&self.memberships), &(e - travel.at)),
-        })
+        match &self.travel {
+            None => Firing::of(Grades::at(&self.memberships, e)),
+            Some(travel) if travel.at == *e => {
+                Firing { grades: travel.grades, norm_squared: travel.norm_squared, carried: true }
+            }
+            Some(travel) => {
+                Firing::of(Grades::at(&travel.flowed(&self.memberships), &(e - travel.at)))
+            }
+        }
     }
 
-    /// u_n = Σ w̃_r·f_r for the rules firing as `firing` says.
+    /// u_n = Σ w̃_r·f_r for the rules of this network firing as `firing` says.
     pub fn output(&self, firing: &Firing<T, I, K>) -> T {
-        let products = firing.strengths().iter().zip(self.consequents());
-        products.fold(T::zero(), |sum, (w, f)| sum + *w * *f)
+        match &self.travel {
+            None => self.consequents.mean(firing.grades.rows()),
+            Some(travel) if firing.carried => travel.output(),
+            Some(travel) => {
+                let learned = travel.moved * travel.grades.dot(&firing.grades);
+                self.consequents.mean(firing.grades.rows()) + learned
+            }
+        }
     }
 
     /// Adds `rate`·w̃ to the consequents, which changes the output at that firing by `rate`·w̃ᵀw̃. This is the formula and no
     /// more: a rate that is not finite spoils them.
     pub fn move_consequents(&mut self, firing: &Firing<T, I, K>, rate: T) {
-        let consequents = Inputs::<I>::values_mut(&mut self.consequents);
-        for (f, w) in consequents.iter_mut().zip(firing.strengths()) {
-            *f += rate * *w;
+        match &mut self.travel {
+            Some(travel) if firing.carried => travel.moved += rate,
+            _ => self.consequents.add(firing.grades.rows(), rate),
         }
     }
 
@@ -168,7 +182,9 @@ where
             Some(travel) => travel.at = *e,
             None => {
                 self.shift(&-e);
-                self.travel = Some(Travel::new(*e, &self.memberships, floor, ceiling));
+                let mut travel = Travel::new(*e, &self.memberships, floor, ceiling);
+                travel.start = self.consequents.mean(travel.grades.rows());
+                self.travel = Some(travel);
             }
         }
     }
@@ -182,7 +198,7 @@ where
 
     /// The same network, with memberships that stay where they are until a rule carries them along again.
     pub(crate) fn released(&self) -> Self {
-        let mut free = *self;
+        let mut free = Self { consequents: self.consequents(), ..*self };
         if let Some(travel) = free.travel.take() {
             free.memberships = travel.flowed(&free.memberships);
             free.shift(&travel.at);

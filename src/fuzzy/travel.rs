@@ -6,16 +6,25 @@ use crate::{
     scalar::{constant, epsilon},
 };
 
-/// Memberships on the move: the input that they travel with, and how far the flow of the antecedents has taken them.
+/// Memberships on the move: the input that they travel with, how far the flow of the antecedents has taken them, and the consequents with them.
 ///
 /// By the flow d = d₀·e^{−T} and M² = M₀² + 2T, with one T for all memberships of an input. Nothing but T changes, so the
 /// differences of M², and with them the normalized grades, are constant to the last bit however long the flow goes on.
+///
+/// All moves of the consequents then go along one w̃. Nothing but their sum is stored, so a step costs the same for any number of rules, and no
+/// rounding of any consequent adds up.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Travel<T, const I: usize, const K: usize> {
     /// The input that the memberships are given relative to, so that d₀ = −c₀.
     pub at: SVector<T, I>,
     /// How they fire there, on all of the way.
     pub grades: Grades<T, I, K>,
+    /// w̃ᵀw̃.
+    pub norm_squared: T,
+    /// u_n when the travel began.
+    pub start: T,
+    /// How far the consequents have moved along w̃ since then.
+    pub moved: T,
     /// T, for each input.
     flowed: [Flowed<T>; I],
 }
@@ -35,8 +44,17 @@ impl<T: Scalar, const I: usize, const K: usize> Travel<T, I, K> {
         floor: T,
         ceiling: T,
     ) -> Self {
-        let flowed = memberships.each_ref().map(|row| Flowed::within(row, floor, ceiling));
-        Self { at, grades: Grades::at(memberships, &SVector::zeros()), flowed }
+        // 1/ε⁴ is room for d and for σ = |d|/|M|, M² between the bounds.
+        let taken = epsilon::<T>().powi(4) * ceiling.max(floor.recip());
+        let flowed = memberships.each_ref().map(|row| Flowed::within(row, floor, ceiling, taken));
+        let grades = Grades::at(memberships, &SVector::zeros());
+        let norm_squared = grades.dot(&grades);
+        Self { at, grades, norm_squared, start: T::zero(), moved: T::zero(), flowed }
+    }
+
+    /// u_n at the input that the memberships travel with: there the network is an integrator.
+    pub fn output(&self) -> T {
+        self.start + self.moved * self.norm_squared
     }
 
     /// Moves every M²/2 by `tau`, or as far as the bounds of its input allow.
@@ -57,11 +75,11 @@ impl<T: Scalar, const I: usize, const K: usize> Travel<T, I, K> {
 }
 
 impl<T: Scalar> Flowed<T> {
-    /// No flow yet, and as much to come as keeps M² within the bounds, by more than its rounding above 0, and d and σ between ε⁴ and ε⁻⁴, well
-    /// inside the range of `T`: σ = |d|/|M| with M² between the bounds.
+    /// No flow yet, and as much to come as keeps M² within the bounds, by more than its rounding above 0, and |ln d| within −ln `taken`, well inside
+    /// the range of `T`.
     ///
     /// An input below the floor from the start is at the singularity of the law already: its memberships do not flow.
-    fn within<const K: usize>(row: &[Gaussian<T>; K], floor: T, ceiling: T) -> Self {
+    fn within<const K: usize>(row: &[Gaussian<T>; K], floor: T, ceiling: T, taken: T) -> Self {
         let zero = T::zero();
         let squares = row.map(|membership| membership.distance(zero) * membership.distance(zero));
         let (lowest, highest) = extremes(&squares);
@@ -69,9 +87,7 @@ impl<T: Scalar> Flowed<T> {
             return Self { by: zero, least: zero, most: zero };
         }
         let (nearest, farthest) = extremes(&row.map(|membership| membership.centre().abs()));
-        // ln ε⁻⁴ less the greatest |ln d| and |ln M²|.
-        let extreme = farthest.max(nearest.recip()) * ceiling.max(floor.recip());
-        let reach = -(epsilon::<T>().powi(4) * extreme).ln();
+        let reach = -(taken * farthest.max(nearest.recip())).ln();
         let half = constant::<T>(0.5);
         let vanishing = lowest * (epsilon::<T>() * constant(4.0) - half);
         Self {

@@ -20,14 +20,30 @@ pub struct Compensation<T> {
     note = "a `NeuroFuzzy` compensates a loop of the order that its network has inputs"
 )]
 pub trait Compensator<T, const N: usize>: Clone {
-    /// The compensator after a sample, and what it adds to the loop. `dt > 0` is the time since the sample before.
+    /// Learns from a sample, and what it adds to the loop, if `accept` has nothing against it. `dt > 0` is the time since the sample before.
     ///
-    /// The compensator itself stays as it is, so a loop that fails later in the same sample can drop the new one.
+    /// An implementation computes first, asks `accept` once when nothing else can fail, and changes itself last: the loop may still fail in the
+    /// same sample.
     ///
     /// # Errors
     /// [`Error::Missing`] if ė_n cannot be had; [`Error::NotPositive`] for `dt`; [`Error::NonFinite`] and
-    /// [`Error::NonFiniteEntry`] for e, s or u_n outside the range of `T`.
-    fn advanced(&self, at: &ClosedLoop<T, N>, dt: T) -> Result<(Self, Compensation<T>), Error>;
+    /// [`Error::NonFiniteEntry`] for e, s or u_n outside the range of `T`; and that of `accept`. The compensator is then as before.
+    fn advance_if(
+        &mut self,
+        at: &ClosedLoop<T, N>,
+        dt: T,
+        accept: &mut dyn FnMut(&Compensation<T>) -> Result<(), Error>,
+    ) -> Result<Compensation<T>, Error>;
+
+    /// The compensator after a sample, and what it adds to the loop; itself it stays as it is.
+    ///
+    /// # Errors
+    /// Those of [`advance_if`](Self::advance_if).
+    fn advanced(&self, at: &ClosedLoop<T, N>, dt: T) -> Result<(Self, Compensation<T>), Error> {
+        let mut next = self.clone();
+        let compensation = next.advance_if(at, dt, &mut |_| Ok(()))?;
+        Ok((next, compensation))
+    }
 }
 
 /// The compensator that watches s and adds nothing: CLELC with it is feedback linearization control, bit for bit.
@@ -46,12 +62,20 @@ impl<E> NullCompensator<E> {
 impl<T: Scalar, E: ErrorRate<T, N> + Clone, const N: usize> Compensator<T, N>
     for NullCompensator<E>
 {
-    fn advanced(&self, at: &ClosedLoop<T, N>, dt: T) -> Result<(Self, Compensation<T>), Error> {
+    fn advance_if(
+        &mut self,
+        at: &ClosedLoop<T, N>,
+        dt: T,
+        accept: &mut dyn FnMut(&Compensation<T>) -> Result<(), Error>,
+    ) -> Result<Compensation<T>, Error> {
         positive("dt", dt)?;
         // −0 is the number that changes no sum: x + (−0) = x even for x = −0.
         let u_n = -T::zero();
-        let mut next = self.clone();
-        let s = finite("s", next.error_rate.error_rate(at, u_n, dt)? + at.u_b)?;
-        Ok((next, Compensation { u_n, s }))
+        let mut error_rate = self.error_rate.clone();
+        let s = finite("s", error_rate.error_rate(at, u_n, dt)? + at.u_b)?;
+        let compensation = Compensation { u_n, s };
+        accept(&compensation)?;
+        self.error_rate = error_rate;
+        Ok(compensation)
     }
 }

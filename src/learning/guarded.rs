@@ -80,27 +80,36 @@ impl<C, T: Scalar> Guarded<C, T> {
 }
 
 impl<T: Scalar, C: Compensator<T, N>, const N: usize> Compensator<T, N> for Guarded<C, T> {
-    fn advanced(&self, at: &ClosedLoop<T, N>, dt: T) -> Result<(Self, Compensation<T>), Error> {
+    fn advance_if(
+        &mut self,
+        at: &ClosedLoop<T, N>,
+        dt: T,
+        accept: &mut dyn FnMut(&Compensation<T>) -> Result<(), Error>,
+    ) -> Result<Compensation<T>, Error> {
         positive("dt", dt)?;
         let fallen = self.fade.is_some() && self.tripped();
         let learning = if fallen { LearningMode::Off } else { at.learning };
-        let (compensator, Compensation { u_n, s }) =
-            self.compensator.advanced(&ClosedLoop { learning, ..*at }, dt)?;
-
-        let mut watchdog = self.watchdog;
-        if learning == LearningMode::Active {
-            watchdog.update(s)?;
-        } else if !watchdog.tripped() {
-            watchdog.reset();
-        }
-        let fading = match self.fade {
+        let inside = ClosedLoop { learning, ..*at };
+        let left = match self.fade {
             Some(rate) if at.learning != LearningMode::Off => faded(self.fading, rate * dt),
             _ => -T::zero(),
         };
-        let u_n = finite("u_n", u_n + fading)?;
-        // From the next sample on the compensator inside adds nothing, and all of this fades.
-        let falls = self.fade.is_some() && watchdog.tripped() && !fallen;
-        let fading = if falls { u_n } else { fading };
-        Ok((Self { compensator, watchdog, fading, ..*self }, Compensation { u_n, s }))
+        let (falls_back, mut watchdog) = (self.fade.is_some(), self.watchdog);
+        let (mut u_n, mut fading) = (left, left);
+        let Compensation { s, .. } = self.compensator.advance_if(&inside, dt, &mut |learned| {
+            if learning == LearningMode::Active {
+                watchdog.update(learned.s)?;
+            } else if !watchdog.tripped() {
+                watchdog.reset();
+            }
+            u_n = finite("u_n", learned.u_n + left)?;
+            // From the next sample on the compensator inside adds nothing, and all of this fades.
+            if falls_back && watchdog.tripped() && !fallen {
+                fading = u_n;
+            }
+            accept(&Compensation { u_n, s: learned.s })
+        })?;
+        (self.watchdog, self.fading) = (watchdog, fading);
+        Ok(Compensation { u_n, s })
     }
 }

@@ -50,7 +50,12 @@ where
     R: AdaptationRule<T, N, K> + Clone,
     Inputs<N>: Grid,
 {
-    fn advanced(&self, at: &ClosedLoop<T, N>, dt: T) -> Result<(Self, Compensation<T>), Error> {
+    fn advance_if(
+        &mut self,
+        at: &ClosedLoop<T, N>,
+        dt: T,
+        accept: &mut dyn FnMut(&Compensation<T>) -> Result<(), Error>,
+    ) -> Result<Compensation<T>, Error> {
         positive("dt", dt)?;
         finite_vector("e", &at.e)?;
         let mut next = self.clone();
@@ -69,7 +74,9 @@ where
                 next.rule.output(&next.network, &firing)
             }
         };
-        finite("u_n", u_n)?;
-        Ok((next, Compensation { u_n, s }))
+        let compensation = Compensation { u_n: finite("u_n", u_n)?, s };
+        accept(&compensation)?;
+        *self = next;
+        Ok(compensation)
     }
 }

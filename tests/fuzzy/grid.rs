@@ -7,11 +7,25 @@ use crate::support::{digit, real};
 
 in_both_precisions! {
     the_last_input_runs_fastest,
-    the_outer_product_agrees_with_index_arithmetic,
-    the_scale_multiplies_every_value,
+    sums_and_products_agree_with_index_arithmetic,
+    what_is_added_stays,
     a_missing_row_counts_as_ones,
+    weights_below_the_square_of_epsilon_are_left_out,
     a_filled_grid_holds_the_same_value_for_every_rule,
     values_written_are_read_back_in_the_same_order,
+}
+
+/// `rate` times the product of the rows, for every rule.
+fn outer<T: Scalar, const I: usize, const K: usize>(
+    rows: &[[T; K]],
+    rate: T,
+) -> <Inputs<I> as Grid>::Cube<T, K>
+where
+    Inputs<I>: Grid,
+{
+    let mut cube = Inputs::<I>::filled(T::zero());
+    Inputs::<I>::add_outer(&mut cube, rows, T::one(), rate);
+    cube
 }
 
 /// Row i holds the powers 2^(k·Kᴵ⁻¹⁻ⁱ), so the product for the rule (k₁, …, k_I) is 2^r with r its own number: exact, and
@@ -23,7 +37,7 @@ where
     let rows: [[T; K]; I] = core::array::from_fn(|i| {
         core::array::from_fn(|k| real(2.0_f64.powi((k * K.pow((I - 1 - i) as u32)) as i32)))
     });
-    let cube = Inputs::<I>::outer(&rows, T::one());
+    let cube = outer::<T, I, K>(&rows, T::one());
     let values = Inputs::<I>::values(&cube);
     assert_eq!(values.len(), K.pow(I as u32));
     for (r, value) in values.iter().enumerate() {
@@ -51,31 +65,58 @@ where
     Inputs<I>: Grid,
 {
     let rows = integers::<T, I, K>();
-    let cube = Inputs::<I>::outer(&rows, real(-0.5));
+    let cube = outer::<T, I, K>(&rows, real(-0.5));
+    let numbers = numbered::<T, I, K>();
+    let mut sum = T::zero();
     for (rule, value) in Inputs::<I>::values(&cube).iter().enumerate() {
-        let product =
-            (0..I).fold(real::<T>(-0.5), |product, i| product * rows[i][digit::<I, K>(rule, i)]);
-        assert_eq!(*value, product);
+        let product = (0..I).fold(T::one(), |product, i| product * rows[i][digit::<I, K>(rule, i)]);
+        assert_eq!(*value, product * real(-0.5));
+        sum += product * real(rule as f64);
     }
+    // Sums of integers, exact in f64.
+    let contracted = Inputs::<I>::contracted(&numbers, &rows);
+    let most = T::one().max(sum) * T::default_epsilon() * real(64.0);
+    assert!((contracted - sum).abs() <= most, "{contracted} is not {sum}");
 }
 
-fn the_outer_product_agrees_with_index_arithmetic<T: Scalar>() {
+/// Each rule's own number.
+fn numbered<T: Scalar, const I: usize, const K: usize>() -> <Inputs<I> as Grid>::Cube<T, K>
+where
+    Inputs<I>: Grid,
+{
+    let mut cube = Inputs::<I>::filled::<T, K>(T::zero());
+    for (rule, value) in Inputs::<I>::values_mut(&mut cube).iter_mut().enumerate() {
+        *value = real(rule as f64);
+    }
+    cube
+}
+
+fn sums_and_products_agree_with_index_arithmetic<T: Scalar>() {
     for_every_shape!(index_arithmetic::<T>);
 }
 
-fn scaled<T: Scalar, const I: usize, const K: usize>()
+fn added<T: Scalar, const I: usize, const K: usize>()
 where
     Inputs<I>: Grid,
 {
     let rows = integers::<T, I, K>();
-    let (one, four) = (Inputs::<I>::outer(&rows, T::one()), Inputs::<I>::outer(&rows, real(4.0)));
-    for (one, four) in Inputs::<I>::values(&one).iter().zip(Inputs::<I>::values(&four)) {
-        assert_eq!(*four, *one * real(4.0));
+    let (once, mut twice) = (outer::<T, I, K>(&rows, T::one()), numbered::<T, I, K>());
+    Inputs::<I>::add_outer(&mut twice, &rows, T::one(), real(4.0));
+    let pairs = Inputs::<I>::values(&once).iter().zip(Inputs::<I>::values(&twice));
+    for (rule, (once, twice)) in pairs.enumerate() {
+        assert_eq!(*twice, *once * real(4.0) + real(rule as f64));
     }
 }
 
-fn the_scale_multiplies_every_value<T: Scalar>() {
-    for_every_shape!(scaled::<T>);
+fn what_is_added_stays<T: Scalar>() {
+    for_every_shape!(added::<T>);
+}
+
+fn weights_below_the_square_of_epsilon_are_left_out<T: Scalar>() {
+    let epsilon = T::default_epsilon();
+    let half = epsilon * real(0.5);
+    let cube = outer::<T, 2, 2>(&[[T::one(), epsilon], [epsilon, half]], T::one());
+    assert_eq!(cube, [[epsilon, half], [epsilon * epsilon, T::zero()]]);
 }
 
 fn missing<T: Scalar, const I: usize, const K: usize>()
@@ -86,11 +127,11 @@ where
     for given in 0..I {
         let mut filled_up = [[T::one(); K]; I];
         filled_up[..given].copy_from_slice(&rows[..given]);
-        let scale = real::<T>(3.0);
-        assert_eq!(
-            Inputs::<I>::outer(&rows[..given], scale),
-            Inputs::<I>::outer(&filled_up, scale)
-        );
+        let rate = real::<T>(3.0);
+        assert_eq!(outer::<T, I, K>(&rows[..given], rate), outer::<T, I, K>(&filled_up, rate));
+        let numbers = numbered::<T, I, K>();
+        let contracted = |rows: &[[T; K]]| Inputs::<I>::contracted(&numbers, rows);
+        assert_eq!(contracted(&rows[..given]), contracted(&filled_up));
     }
 }
 
@@ -114,10 +155,7 @@ fn written<T: Scalar, const I: usize, const K: usize>()
 where
     Inputs<I>: Grid,
 {
-    let mut cube = Inputs::<I>::filled::<T, K>(T::zero());
-    for (rule, value) in Inputs::<I>::values_mut(&mut cube).iter_mut().enumerate() {
-        *value = real(rule as f64);
-    }
+    let cube = numbered::<T, I, K>();
     let numbers: Vec<T> = (0..K.pow(I as u32)).map(|rule| real(rule as f64)).collect();
     assert_eq!(Inputs::<I>::values(&cube), numbers);
 }

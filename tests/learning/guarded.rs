@@ -28,10 +28,17 @@ struct Scripted<T> {
 }
 
 impl<T: Scalar> Compensator<T, 2> for Scripted<T> {
-    fn advanced(&self, at: &ClosedLoop<T, 2>, _dt: T) -> Result<(Self, Compensation<T>), Error> {
-        let learned = self.learned + u32::from(at.learning == LearningMode::Active);
+    fn advance_if(
+        &mut self,
+        at: &ClosedLoop<T, 2>,
+        _dt: T,
+        accept: &mut dyn FnMut(&Compensation<T>) -> Result<(), Error>,
+    ) -> Result<Compensation<T>, Error> {
         let u_n = if at.learning == LearningMode::Off { -T::zero() } else { self.u_n };
-        Ok((Self { learned, ..*self }, Compensation { u_n, s: at.u_b }))
+        let compensation = Compensation { u_n, s: at.u_b };
+        accept(&compensation)?;
+        self.learned += u32::from(at.learning == LearningMode::Active);
+        Ok(compensation)
     }
 }
 

@@ -14,6 +14,7 @@ in_both_precisions! {
     before_the_first_sample_no_membership_moves,
     between_samples_centres_travel_as_far_as_the_input,
     memberships_may_be_replaced_in_the_middle_of_a_run,
+    the_consequents_of_a_network_on_the_move_never_leave_the_line_of_the_strengths,
     a_parameter_out_of_range_is_refused,
     the_certificate_is_that_of_the_parameters,
     nothing_becomes_non_finite_in_ten_million_adversarial_steps,
@@ -104,9 +105,28 @@ fn memberships_may_be_replaced_in_the_middle_of_a_run<T: Scalar>() {
     for (k, e) in [here, away, here, away].into_iter().enumerate() {
         let u_n = learner.step(e, -T::one(), real(0.25));
         assert_abs_diff_eq!(u_n, before - real(0.25 * (k + 1) as f64), epsilon = ulps(64.0));
-        for (own, wanted) in learner.strengths().iter().zip(fresh.strengths()) {
+        for (own, wanted) in learner.strengths().iter().zip(fresh.strengths().iter()) {
             assert_abs_diff_eq!(*own, *wanted, epsilon = ulps(64.0));
         }
+    }
+}
+
+/// f = c·w̃ after any number of steps, each f_r with its own rounding and no more. Steps of ±αh and of less, as noise has them, around an
+/// output of −5: were they added up one by one, f would go astray by an ulp of it every few hundred steps.
+fn the_consequents_of_a_network_on_the_move_never_leave_the_line_of_the_strengths<T: Scalar>() {
+    let (mut learner, mut rng) = (learner(5.0, Switching::SetValued), rng());
+    let e = SVector::from([real::<T>(0.3), real(0.1)]);
+    let mut u_n = T::zero();
+    for _ in 0..100_000 {
+        let s = real::<T>(rng.random_range(-0.1..0.1)) - (u_n + real(5.0));
+        u_n = learner.step(e, s, real(0.01));
+    }
+    assert!((u_n + real(5.0)).abs() < real(0.2));
+    let strengths = learner.strengths();
+    let along = u_n / learner.network.fire(&e).norm_squared();
+    for (f, w) in learner.network.consequents().iter().zip(strengths) {
+        // u_n sums up nine products.
+        assert_abs_diff_eq!(*f, along * w, epsilon = ulps::<T>(16.0) * f.abs());
     }
 }
 

@@ -54,7 +54,7 @@ fn evenly_spaced_memberships_mirror_each_other<T: Scalar>() {
         let e = SVector::from([real::<T>(e1), real(e2)]);
         let (strengths, mirrored) = (network.fire(&e), network.fire(&-e));
         // The distances are the same, bit for bit; only the order in which the grades are summed differs.
-        for (w, mirrored) in strengths.strengths().iter().rev().zip(mirrored.strengths()) {
+        for (w, mirrored) in strengths.strengths().iter().rev().zip(mirrored.strengths().iter()) {
             assert_abs_diff_eq!(*w, *mirrored, epsilon = ulps(8.0));
         }
     });
@@ -64,7 +64,7 @@ fn one_evenly_spaced_membership_sits_at_zero<T: Scalar>() {
     let network = evenly_spaced::<T, 3, 1>(real(0.7));
     let only = Gaussian::new(T::zero(), real(0.7)).unwrap();
     assert_eq!(network.memberships(), [[only]; 3]);
-    assert_eq!(network.consequents(), [T::zero()]);
+    assert_eq!(*network.consequents(), [T::zero()]);
 }
 
 fn a_range_that_is_not_positive_and_finite_is_refused<T: Scalar>() {

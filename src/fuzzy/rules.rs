@@ -1,0 +1,50 @@
+use core::ops::{Deref, DerefMut};
+
+use super::{Grid, Inputs};
+use crate::Scalar;
+
+/// One value for each of the Kᴵ rules, in their order: a slice that is stored in place.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Rules<T: Scalar, const I: usize, const K: usize>(<Inputs<I> as Grid>::Cube<T, K>)
+where
+    Inputs<I>: Grid;
+
+impl<T: Scalar, const I: usize, const K: usize> Rules<T, I, K>
+where
+    Inputs<I>: Grid,
+{
+    /// `value` for every rule.
+    pub(super) fn filled(value: T) -> Self {
+        Self(Inputs::<I>::filled(value))
+    }
+
+    /// Their mean, weighted with the outer product of `grades`.
+    pub(super) fn mean(&self, grades: &[[T; K]; I]) -> T {
+        Inputs::<I>::contracted(&self.0, grades)
+    }
+
+    /// Adds `rate` times the outer product of `grades`.
+    pub(super) fn add(&mut self, grades: &[[T; K]; I], rate: T) {
+        Inputs::<I>::add_outer(&mut self.0, grades, T::one(), rate);
+    }
+}
+
+impl<T: Scalar, const I: usize, const K: usize> Deref for Rules<T, I, K>
+where
+    Inputs<I>: Grid,
+{
+    type Target = [T];
+
+    fn deref(&self) -> &[T] {
+        Inputs::<I>::values(&self.0)
+    }
+}
+
+impl<T: Scalar, const I: usize, const K: usize> DerefMut for Rules<T, I, K>
+where
+    Inputs<I>: Grid,
+{
+    fn deref_mut(&mut self) -> &mut [T] {
+        Inputs::<I>::values_mut(&mut self.0)
+    }
+}
