@@ -35,6 +35,7 @@
 
 pub mod actuator;
 pub mod controller;
+pub mod differentiation;
 pub mod elementary;
 pub mod fuzzy;
 pub mod integrators;

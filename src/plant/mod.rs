@@ -20,6 +20,7 @@
 mod decouplable;
 mod integrator_chain;
 mod pendulum;
+mod smooth;
 mod third_order;
 mod tracked_robot;
 mod two_link_arm;
@@ -30,6 +31,7 @@ mod van_der_pol;
 pub use decouplable::Decouplable;
 pub use integrator_chain::IntegratorChain;
 pub use pendulum::Pendulum;
+pub use smooth::{Along, Flow, SmoothPlant};
 pub use third_order::ThirdOrder;
 pub use tracked_robot::{TrackedRobot, Traction};
 pub use two_link_arm::{Link, TwoLinkArm};
