@@ -2,7 +2,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::{Arithmetic, Smooth, operators::operators};
 use crate::{
-    Scalar,
+    Scalar, elementary,
     scalar::{constant, epsilon},
 };
 
@@ -149,9 +149,9 @@ impl<T: Scalar> Smooth<T> for RunningError<T> {
         self.value
     }
 
-    /// The error of both is one of the argument's period: ε in absolute terms.
+    /// Their own error is ε in absolute terms, that of a number in the range of both.
     fn sin_cos(self) -> (Self, Self) {
-        let (sin, cos) = self.value.sin_cos();
+        let (sin, cos) = elementary::sin_cos(self.value);
         let error = |slope: T| slope.abs() * self.error + T::one();
         (Self { value: sin, error: error(cos) }, Self { value: cos, error: error(sin) })
     }

@@ -28,10 +28,12 @@ mod uncertain;
 mod unicycle;
 mod van_der_pol;
 
-pub use decouplable::Decouplable;
+pub use decouplable::{Decouplable, Linearization};
 pub use integrator_chain::IntegratorChain;
 pub use pendulum::Pendulum;
-pub use smooth::{Along, Flow, SmoothPlant};
+pub use smooth::{
+    Along, BoxSamples, Flow, Jacobians, LieDerivatives, Linearized, RelativeDegree, SmoothPlant,
+};
 pub use third_order::ThirdOrder;
 pub use tracked_robot::{TrackedRobot, Traction};
 pub use two_link_arm::{Link, TwoLinkArm};

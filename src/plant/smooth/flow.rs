@@ -1,26 +1,39 @@
 use core::array;
 
 use super::SmoothPlant;
-use crate::differentiation::{Dual, Jet, Smooth};
+use crate::{
+    Scalar,
+    differentiation::{Dual, Jet, Smooth},
+};
 
-/// The motion along the drift field ẋ = f(x), as jets of up to nine entries.
+/// The outputs of a plant differentiated along its drift field, up to order N, and the slopes of that in D directions.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LieDerivatives<S, const N: usize, const M: usize, const D: usize> {
+    /// (h, L_f h, …, L_f^{N−1} h), for each output.
+    pub chains: [[S; N]; M],
+    /// L_f^N h, for each output.
+    pub drift: [S; M],
+    /// The slopes of (h, L_f h, …, L_f^{N−1} h), for each output and direction.
+    pub slopes: [[[S; N]; D]; M],
+}
+
+/// The motion along the drift field, ẋ = f(x).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Along;
 
-/// (h, L_f h, …, L_f^{N−1} h), L_f^N h and the slopes of L_f^{N−1} h, for outputs h of a plant.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct LieDerivatives<S, const N: usize, const M: usize, const D: usize> {
-    pub chains: [[S; N]; M],
-    pub drift: [S; M],
-    pub slopes: [[S; D]; M],
-}
-
-/// Lie derivatives of the outputs up to order N, by a jet of N + 1 entries along the flow of the drift field.
+/// Lie derivatives of order N, without symbols and without allocation.
 ///
-/// L_f^k h is the k-th derivative of h along the flow, and the flow's jet is its start followed by the jet of its rate f(x): a jet of k entries gives one
-/// of k + 1. Stable Rust has no `N + 1`; the implementations for N = 1 … 8 are its replacement, and run straight through.
+/// L_f^k h is the k-th derivative of h along the motion ẋ = f(x), whose jet is its start followed by the jet of its rate: from a jet of k entries, f
+/// makes one of k + 1. L_g L_f^k h is the slope of that where the start moves in the direction g(x).
+///
+/// Stable Rust has no length `N + 1`; an implementation for each N from 1 to 8 is its replacement. Each runs straight through, so that the compiler
+/// finds what the longer jets have in common with the shorter ones.
+#[diagnostic::on_unimplemented(
+    message = "Lie derivatives have orders 1 to 8",
+    label = "no Lie derivatives of order {N}"
+)]
 pub trait Flow<const N: usize> {
-    /// The jets of x, …, from a start with slopes in D directions.
+    /// The jets of the states, from `start`.
     fn jets<P, S, const NX: usize, const M: usize, const D: usize>(
         plant: &P,
         start: &[Dual<S, D>; NX],
@@ -29,7 +42,7 @@ pub trait Flow<const N: usize> {
         P: SmoothPlant<NX, M>,
         S: Smooth<P::Scalar>;
 
-    /// The Lie derivatives of the outputs.
+    /// The Lie derivatives of the outputs, at `start`.
     fn lie<P, S, const NX: usize, const M: usize, const D: usize>(
         plant: &P,
         start: &[Dual<S, D>; NX],
@@ -39,8 +52,9 @@ pub trait Flow<const N: usize> {
         S: Smooth<P::Scalar>;
 }
 
-macro_rules! flow {
-    ($n:literal, $more:literal, |$plant:ident, $start:ident| $jets:expr) => {
+/// Order N from jets of N entries, which `$jets` finds, and one of N + 1 = `$longer`; the last entry needs no slopes.
+macro_rules! order {
+    ($n:literal + 1 = $longer:literal, |$plant:ident, $start:ident| $jets:expr) => {
         impl Flow<$n> for Along {
             #[inline]
             fn jets<P, S, const NX: usize, const M: usize, const D: usize>(
@@ -63,13 +77,13 @@ macro_rules! flow {
                 P: SmoothPlant<NX, M>,
                 S: Smooth<P::Scalar>,
             {
-                let jets = <Along as Flow<$n>>::jets(plant, start);
-                let values = jets.map(|x| x.value);
-                let rates = plant.drift_field(values);
-                let longer: [Jet<S, $more>; NX] =
+                let jets = <Self as Flow<$n>>::jets(plant, start);
+                let rates = plant.drift_field(jets.map(|x| x.value));
+                let longer: [Jet<S, $longer>; NX] =
                     array::from_fn(|i| Jet::starting(start[i].value, &rates[i]));
                 let outputs = plant.outputs(longer).map(|y| *y.derivatives());
-                let slopes = plant.outputs(jets).map(|y| y.slopes.map(|s| s.derivatives()[$n - 1]));
+                let slopes =
+                    plant.outputs(jets).map(|y| y.slopes.map(|slope| *slope.derivatives()));
                 LieDerivatives {
                     chains: outputs.map(|y| array::from_fn(|k| y[k])),
                     drift: outputs.map(|y| y[$n]),
@@ -80,33 +94,72 @@ macro_rules! flow {
     };
 }
 
-/// A jet of one entry is the start.
-fn at<S: Smooth<T>, T: crate::Scalar, const D: usize>(start: &Dual<S, D>) -> Dual<Jet<S, 1>, D> {
-    Dual { value: Jet::new([start.value]), slopes: start.slopes.map(|s| Jet::new([s])) }
-}
+order!(1 + 1 = 2, |_plant, start| start.each_ref().map(|start| Dual {
+    value: Jet::constant(start.value),
+    slopes: start.slopes.map(Jet::constant),
+}));
 
-flow!(1, 2, |_plant, start| array::from_fn(|i| at(&start[i])));
-
-macro_rules! longer {
-    ($n:literal = 1 + $fewer:literal, $more:literal) => {
-        flow!($n, $more, |plant, start| {
-            let known = <Along as Flow<$fewer>>::jets(plant, start);
-            let rates = plant.drift_field(known);
-            array::from_fn(|i| {
-                let (start, rate) = (&start[i], &rates[i]);
-                Dual {
-                    value: Jet::starting(start.value, &rate.value),
-                    slopes: array::from_fn(|j| Jet::starting(start.slopes[j], &rate.slopes[j])),
-                }
-            })
+macro_rules! next_order {
+    ($fewer:literal + 1 = $n:literal, $_n:literal + 1 = $longer:literal) => {
+        order!($n + 1 = $longer, |plant, start| {
+            following(start, &plant.drift_field(<Self as Flow<$fewer>>::jets(plant, start)))
         });
     };
 }
 
-longer!(2 = 1 + 1, 3);
-longer!(3 = 1 + 2, 4);
-longer!(4 = 1 + 3, 5);
-longer!(5 = 1 + 4, 6);
-longer!(6 = 1 + 5, 7);
-longer!(7 = 1 + 6, 8);
-longer!(8 = 1 + 7, 9);
+next_order!(1 + 1 = 2, 2 + 1 = 3);
+next_order!(2 + 1 = 3, 3 + 1 = 4);
+next_order!(3 + 1 = 4, 4 + 1 = 5);
+next_order!(4 + 1 = 5, 5 + 1 = 6);
+next_order!(5 + 1 = 6, 6 + 1 = 7);
+next_order!(6 + 1 = 7, 7 + 1 = 8);
+next_order!(7 + 1 = 8, 8 + 1 = 9);
+
+/// The motion from `start` with `rates`.
+#[inline]
+fn following<S, const NX: usize, const D: usize, const J: usize, const K: usize>(
+    start: &[Dual<S, D>; NX],
+    rates: &[Dual<Jet<S, J>, D>; NX],
+) -> [Dual<Jet<S, K>, D>; NX]
+where
+    S: crate::differentiation::Arithmetic,
+{
+    array::from_fn(|i| Dual {
+        value: Jet::starting(start[i].value, &rates[i].value),
+        slopes: array::from_fn(|j| Jet::starting(start[i].slopes[j], &rates[i].slopes[j])),
+    })
+}
+
+/// The state `x` with the slopes of the input fields.
+#[inline]
+pub(super) fn along_inputs<P, S, const NX: usize, const M: usize>(
+    plant: &P,
+    x: [S; NX],
+) -> [Dual<S, M>; NX]
+where
+    P: SmoothPlant<NX, M>,
+    S: Smooth<P::Scalar>,
+{
+    let fields = plant.input_fields(x);
+    array::from_fn(|i| Dual { value: x[i], slopes: array::from_fn(|j| fields[j][i]) })
+}
+
+/// The slopes of (h, L_f h, …, L_f^{K−1} h) for any K, for each output and direction: by K − 1 evaluations of f at the full length.
+pub(super) fn slopes<P, S, T, const NX: usize, const M: usize, const D: usize, const K: usize>(
+    plant: &P,
+    start: &[Dual<S, D>; NX],
+) -> [[[S; K]; D]; M]
+where
+    T: Scalar,
+    P: SmoothPlant<NX, M, Scalar = T>,
+    S: Smooth<T>,
+{
+    let mut jets: [Dual<Jet<S, K>, D>; NX] = start.each_ref().map(|start| Dual {
+        value: Jet::constant(start.value),
+        slopes: start.slopes.map(Jet::constant),
+    });
+    for _ in 1..K {
+        jets = following(start, &plant.drift_field(jets));
+    }
+    plant.outputs(jets).map(|y| y.slopes.map(|slope| *slope.derivatives()))
+}
