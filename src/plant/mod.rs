@@ -17,9 +17,16 @@
 //!
 //! This module depends on nothing but [`Scalar`].
 
+mod ball_and_beam;
+mod cart_pole;
 mod decouplable;
+mod duffing;
+mod flexible_joint;
 mod integrator_chain;
+mod magnetic_levitation;
+mod motor_driven_link;
 mod pendulum;
+mod quadrotor;
 mod smooth;
 mod third_order;
 mod tracked_robot;
@@ -28,9 +35,16 @@ mod uncertain;
 mod unicycle;
 mod van_der_pol;
 
+pub use ball_and_beam::BallAndBeam;
+pub use cart_pole::{CartPole, CartPoleOutput};
 pub use decouplable::{Decouplable, Linearization};
+pub use duffing::Duffing;
+pub use flexible_joint::FlexibleJoint;
 pub use integrator_chain::IntegratorChain;
+pub use magnetic_levitation::{Electromagnet, MagneticLevitation};
+pub use motor_driven_link::{DcMotor, MotorDrivenLink};
 pub use pendulum::Pendulum;
+pub use quadrotor::{Quadrotor, QuadrotorAttitude};
 pub use smooth::{
     Along, BoxSamples, Flow, Jacobians, LieDerivatives, Linearized, RelativeDegree, SmoothPlant,
 };

@@ -3,12 +3,14 @@
 mod box_samples;
 mod flow;
 mod jacobians;
+mod ladder;
 mod linearized;
 mod relative_degree;
 
 pub use box_samples::BoxSamples;
 pub use flow::{Along, Flow, LieDerivatives};
 pub use jacobians::Jacobians;
+pub(super) use ladder::control_affine;
 pub use linearized::Linearized;
 pub use relative_degree::RelativeDegree;
 
