@@ -1,7 +1,4 @@
-use core::{
-    array,
-    ops::{Add, Div, Mul, Neg, Sub},
-};
+use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::{Arithmetic, Smooth, operators::operators};
 use crate::Scalar;
@@ -27,19 +24,37 @@ impl<S: Arithmetic, const M: usize> Dual<S, M> {
     /// The j-th of M independent variables: its slope is 1 in direction j, and 0 in the others.
     #[inline]
     pub fn variable(value: S, j: usize) -> Self {
-        Self { value, slopes: array::from_fn(|i| if i == j { S::one() } else { S::zero() }) }
+        let mut variable = Self::constant(value);
+        if let Some(slope) = variable.slopes.get_mut(j) {
+            *slope = S::one();
+        }
+        variable
     }
 
     /// φ(y) from its value and its slope φ′(y).
     #[inline]
     fn along(self, value: S, slope: S) -> Self {
-        Self { value, slopes: self.slopes.map(|along| slope * along) }
+        self.map(value, |along| slope * along)
     }
 
-    /// The slopes by `slope`, from both.
+    /// `value` with each slope by `slope`, in a plain loop: the compiler does not always see through `array::map`.
     #[inline]
-    fn with(self, other: Self, value: S, slope: impl Fn(S, S) -> S) -> Self {
-        Self { value, slopes: array::from_fn(|j| slope(self.slopes[j], other.slopes[j])) }
+    fn map(mut self, value: S, slope: impl Fn(S) -> S) -> Self {
+        self.value = value;
+        for entry in &mut self.slopes {
+            *entry = slope(*entry);
+        }
+        self
+    }
+
+    /// `value` with each slope by `slope`, from both.
+    #[inline]
+    fn zip(mut self, other: Self, value: S, slope: impl Fn(S, S) -> S) -> Self {
+        self.value = value;
+        for (entry, other) in self.slopes.iter_mut().zip(other.slopes) {
+            *entry = slope(*entry, other);
+        }
+        self
     }
 }
 
@@ -48,7 +63,7 @@ impl<S: Arithmetic, const M: usize> Neg for Dual<S, M> {
 
     #[inline]
     fn neg(self) -> Self {
-        Self { value: -self.value, slopes: self.slopes.map(S::neg) }
+        self.map(-self.value, S::neg)
     }
 }
 
@@ -57,7 +72,7 @@ impl<S: Arithmetic, const M: usize> Add for Dual<S, M> {
 
     #[inline]
     fn add(self, other: Self) -> Self {
-        self.with(other, self.value + other.value, |a, b| a + b)
+        self.zip(other, self.value + other.value, |a, b| a + b)
     }
 }
 
@@ -66,7 +81,7 @@ impl<S: Arithmetic, const M: usize> Sub for Dual<S, M> {
 
     #[inline]
     fn sub(self, other: Self) -> Self {
-        self.with(other, self.value - other.value, |a, b| a - b)
+        self.zip(other, self.value - other.value, |a, b| a - b)
     }
 }
 
@@ -75,7 +90,7 @@ impl<S: Arithmetic, const M: usize> Mul for Dual<S, M> {
 
     #[inline]
     fn mul(self, other: Self) -> Self {
-        self.with(other, self.value * other.value, |a, b| a * other.value + self.value * b)
+        self.zip(other, self.value * other.value, |a, b| a * other.value + self.value * b)
     }
 }
 
@@ -85,7 +100,7 @@ impl<S: Arithmetic, const M: usize> Div for Dual<S, M> {
     #[inline]
     fn div(self, other: Self) -> Self {
         let quotient = self.value / other.value;
-        self.with(other, quotient, |a, b| (a - quotient * b) / other.value)
+        self.zip(other, quotient, |a, b| (a - quotient * b) / other.value)
     }
 }
 
@@ -94,7 +109,7 @@ operators!([S: Arithmetic, const M: usize] Dual<S, M>, zero: Self::constant(S::z
 impl<S: Arithmetic, const M: usize> Arithmetic for Dual<S, M> {
     #[inline]
     fn times(self, n: f64) -> Self {
-        Self { value: self.value.times(n), slopes: self.slopes.map(|slope| slope.times(n)) }
+        self.map(self.value.times(n), |slope| slope.times(n))
     }
 }
 
@@ -128,7 +143,7 @@ impl<T: Scalar, S: Smooth<T>, const M: usize> Mul<T> for Dual<S, M> {
 
     #[inline]
     fn mul(self, other: T) -> Self {
-        Self { value: self.value * other, slopes: self.slopes.map(|slope| slope * other) }
+        self.map(self.value * other, |slope| slope * other)
     }
 }
 
@@ -137,7 +152,7 @@ impl<T: Scalar, S: Smooth<T>, const M: usize> Div<T> for Dual<S, M> {
 
     #[inline]
     fn div(self, other: T) -> Self {
-        Self { value: self.value / other, slopes: self.slopes.map(|slope| slope / other) }
+        self.map(self.value / other, |slope| slope / other)
     }
 }
 
@@ -192,7 +207,7 @@ impl<T: Scalar, S: Smooth<T>, const M: usize> Smooth<T> for Dual<S, M> {
     fn atan2(self, x: Self) -> Self {
         let square = self.value * self.value + x.value * x.value;
         let (along_y, along_x) = (x.value / square, self.value / square);
-        self.with(x, self.value.atan2(x.value), |y, x| along_y * y - along_x * x)
+        self.zip(x, self.value.atan2(x.value), |y, x| along_y * y - along_x * x)
     }
 
     #[inline]

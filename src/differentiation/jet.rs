@@ -1,7 +1,4 @@
-use core::{
-    array,
-    ops::{Add, Div, Mul, Neg, Sub},
-};
+use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::{Arithmetic, Smooth, operators::operators};
 use crate::Scalar;
@@ -21,12 +18,14 @@ pub struct Jet<S, const K: usize>([S; K]);
 
 impl<S, const K: usize> Jet<S, K> {
     /// A number with the derivatives (y, ẏ, …, y⁽ᴷ⁻¹⁾).
+    #[inline]
     pub const fn new(derivatives: [S; K]) -> Self {
         const { assert!(K > 0, "a jet has a value") };
         Self(derivatives)
     }
 
     /// (y, ẏ, …, y⁽ᴷ⁻¹⁾).
+    #[inline]
     pub const fn derivatives(&self) -> &[S; K] {
         &self.0
     }
@@ -36,32 +35,50 @@ impl<S: Arithmetic, const K: usize> Jet<S, K> {
     /// A number at rest.
     #[inline]
     pub fn constant(value: S) -> Self {
-        Self::new(array::from_fn(|k| if k == 0 { value } else { S::zero() }))
+        let mut jet = Self::new([S::zero(); K]);
+        jet.0[0] = value;
+        jet
     }
 
     /// The number that starts at `value` and has the rate ẏ = `rate`: derivatives that `rate` does not have are taken as zero.
     #[inline]
     pub fn starting<const J: usize>(value: S, rate: &Jet<S, J>) -> Self {
-        Self::new(array::from_fn(|k| match k.checked_sub(1) {
-            None => value,
-            Some(k) => rate.0.get(k).copied().unwrap_or(S::zero()),
-        }))
+        let mut jet = Self::constant(value);
+        // One move of memory instead of a loop: the compiler sees through it at any size.
+        if let Some(places) = jet.0.get_mut(1..K.min(J + 1)) {
+            places.copy_from_slice(&rate.0[..places.len()]);
+        }
+        jet
     }
 
-    /// Entry by entry.
+    /// Entry by entry, in a plain loop: the compiler does not always see through `array::map`.
     #[inline]
-    fn map(self, f: impl FnMut(S) -> S) -> Self {
-        Self(self.0.map(f))
+    fn map(mut self, mut f: impl FnMut(S) -> S) -> Self {
+        for entry in &mut self.0 {
+            *entry = f(*entry);
+        }
+        self
+    }
+
+    /// Entry by entry, of two.
+    #[inline]
+    fn zip(mut self, other: Self, f: impl Fn(S, S) -> S) -> Self {
+        for (entry, other) in self.0.iter_mut().zip(other.0) {
+            *entry = f(*entry, other);
+        }
+        self
     }
 
     /// The first entry by `first`, the others by `others`.
     #[inline]
-    fn map_apart(self, first: impl Fn(S) -> S, others: impl Fn(S) -> S) -> Self {
-        let mut k = 0;
-        self.map(|entry| {
-            k += 1;
-            if k == 1 { first(entry) } else { others(entry) }
-        })
+    fn map_apart(mut self, first: impl Fn(S) -> S, others: impl Fn(S) -> S) -> Self {
+        if let [value, derivatives @ ..] = &mut self.0[..] {
+            *value = first(*value);
+            for entry in derivatives {
+                *entry = others(*entry);
+            }
+        }
+        self
     }
 
     /// The entries from the first one, `value`, and a law for entry k that knows those below it.
@@ -150,7 +167,7 @@ impl<S: Arithmetic, const K: usize> Add for Jet<S, K> {
 
     #[inline]
     fn add(self, other: Self) -> Self {
-        Self(array::from_fn(|k| self.0[k] + other.0[k]))
+        self.zip(other, |a, b| a + b)
     }
 }
 
@@ -159,7 +176,7 @@ impl<S: Arithmetic, const K: usize> Sub for Jet<S, K> {
 
     #[inline]
     fn sub(self, other: Self) -> Self {
-        Self(array::from_fn(|k| self.0[k] - other.0[k]))
+        self.zip(other, |a, b| a - b)
     }
 }
 
@@ -168,7 +185,7 @@ impl<S: Arithmetic, const K: usize> Mul for Jet<S, K> {
 
     #[inline]
     fn mul(self, other: Self) -> Self {
-        Self(array::from_fn(|k| product(k, &self, &other)))
+        Self::recursive(self.0[0] * other.0[0], |k, _| product(k, &self, &other))
     }
 }
 

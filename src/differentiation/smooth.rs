@@ -97,42 +97,50 @@ pub trait Smooth<T: Scalar = f64>:
     fn tanh(self) -> Self;
 
     /// sin x, x in rad.
+    #[inline]
     fn sin(self) -> Self {
         self.sin_cos().0
     }
 
     /// cos x, x in rad.
+    #[inline]
     fn cos(self) -> Self {
         self.sin_cos().1
     }
 
     /// tan x, x in rad.
+    #[inline]
     fn tan(self) -> Self {
         let (sin, cos) = self.sin_cos();
         sin / cos
     }
 
     /// arccos x in rad.
+    #[inline]
     fn acos(self) -> Self {
         -self.asin() + T::frac_pi_2()
     }
 
     /// sinh x.
+    #[inline]
     fn sinh(self) -> Self {
         self.sinh_cosh().0
     }
 
     /// cosh x.
+    #[inline]
     fn cosh(self) -> Self {
         self.sinh_cosh().1
     }
 
     /// 1/x.
+    #[inline]
     fn recip(self) -> Self {
         Self::one() / self
     }
 
     /// xⁿ.
+    #[inline]
     fn powi(self, n: i32) -> Self {
         let (mut power, mut base, mut left) = (Self::one(), self, n.unsigned_abs());
         while left > 0 {
@@ -148,11 +156,13 @@ pub trait Smooth<T: Scalar = f64>:
     }
 
     /// √(x² + y²).
+    #[inline]
     fn hypot(self, y: Self) -> Self {
         (self * self + y * y).sqrt()
     }
 
     /// |x|, smooth on either side of 0; at 0 its slope is taken to be 1.
+    #[inline]
     fn abs(self) -> Self {
         if self.value() < T::zero() { -self } else { self }
     }

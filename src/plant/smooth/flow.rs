@@ -1,9 +1,9 @@
-use core::array;
+use num_traits::Zero;
 
 use super::SmoothPlant;
 use crate::{
     Scalar,
-    differentiation::{Dual, Jet, Smooth},
+    differentiation::{Arithmetic, Dual, Jet, Smooth},
 };
 
 /// The outputs of a plant differentiated along its drift field, up to order N, and the slopes of that in D directions.
@@ -52,7 +52,7 @@ pub trait Flow<const N: usize> {
         S: Smooth<P::Scalar>;
 }
 
-/// Order N from jets of N entries, which `$jets` finds, and one of N + 1 = `$longer`; the last entry needs no slopes.
+/// Order N by jets of N entries, which `$jets` finds, and of N + 1 = `$longer`.
 macro_rules! order {
     ($n:literal + 1 = $longer:literal, |$plant:ident, $start:ident| $jets:expr) => {
         impl Flow<$n> for Along {
@@ -77,27 +77,15 @@ macro_rules! order {
                 P: SmoothPlant<NX, M>,
                 S: Smooth<P::Scalar>,
             {
-                let jets = <Self as Flow<$n>>::jets(plant, start);
-                let rates = plant.drift_field(jets.map(|x| x.value));
-                let longer: [Jet<S, $longer>; NX] =
-                    array::from_fn(|i| Jet::starting(start[i].value, &rates[i]));
-                let outputs = plant.outputs(longer).map(|y| *y.derivatives());
-                let slopes =
-                    plant.outputs(jets).map(|y| y.slopes.map(|slope| *slope.derivatives()));
-                LieDerivatives {
-                    chains: outputs.map(|y| array::from_fn(|k| y[k])),
-                    drift: outputs.map(|y| y[$n]),
-                    slopes,
-                }
+                along::<_, _, NX, M, D, $n, $longer>(
+                    plant,
+                    start,
+                    <Self as Flow<$n>>::jets(plant, start),
+                )
             }
         }
     };
 }
-
-order!(1 + 1 = 2, |_plant, start| start.each_ref().map(|start| Dual {
-    value: Jet::constant(start.value),
-    slopes: start.slopes.map(Jet::constant),
-}));
 
 macro_rules! next_order {
     ($fewer:literal + 1 = $n:literal, $_n:literal + 1 = $longer:literal) => {
@@ -107,6 +95,7 @@ macro_rules! next_order {
     };
 }
 
+order!(1 + 1 = 2, |_plant, start| resting(start));
 next_order!(1 + 1 = 2, 2 + 1 = 3);
 next_order!(2 + 1 = 3, 3 + 1 = 4);
 next_order!(3 + 1 = 4, 4 + 1 = 5);
@@ -115,6 +104,41 @@ next_order!(5 + 1 = 6, 6 + 1 = 7);
 next_order!(6 + 1 = 7, 7 + 1 = 8);
 next_order!(7 + 1 = 8, 8 + 1 = 9);
 
+/// The outputs along the motion `jets` from `start`: L_f^N h needs one entry more, and no slopes of it.
+#[inline]
+fn along<
+    P,
+    S,
+    const NX: usize,
+    const M: usize,
+    const D: usize,
+    const N: usize,
+    const LONGER: usize,
+>(
+    plant: &P,
+    start: &[Dual<S, D>; NX],
+    jets: [Dual<Jet<S, N>, D>; NX],
+) -> LieDerivatives<S, N, M, D>
+where
+    P: SmoothPlant<NX, M>,
+    S: Smooth<P::Scalar>,
+{
+    let rates = plant.drift_field(each([Jet::zero(); NX], |i| jets[i].value));
+    let longer: [Jet<S, LONGER>; NX] =
+        each([Jet::zero(); NX], |i| Jet::starting(start[i].value, &rates[i]));
+    let outputs = plant.outputs(longer);
+    let moved = plant.outputs(jets);
+    LieDerivatives {
+        chains: each([[S::zero(); N]; M], |i| {
+            each([S::zero(); N], |k| outputs[i].derivatives()[k])
+        }),
+        drift: each([S::zero(); M], |i| outputs[i].derivatives()[N]),
+        slopes: each([[[S::zero(); N]; D]; M], |i| {
+            each([[S::zero(); N]; D], |j| *moved[i].slopes[j].derivatives())
+        }),
+    }
+}
+
 /// The motion from `start` with `rates`.
 #[inline]
 fn following<S, const NX: usize, const D: usize, const J: usize, const K: usize>(
@@ -122,12 +146,20 @@ fn following<S, const NX: usize, const D: usize, const J: usize, const K: usize>
     rates: &[Dual<Jet<S, J>, D>; NX],
 ) -> [Dual<Jet<S, K>, D>; NX]
 where
-    S: crate::differentiation::Arithmetic,
+    S: Arithmetic,
 {
-    array::from_fn(|i| Dual {
+    each([Dual::zero(); NX], |i| Dual {
         value: Jet::starting(start[i].value, &rates[i].value),
-        slopes: array::from_fn(|j| Jet::starting(start[i].slopes[j], &rates[i].slopes[j])),
+        slopes: each([Jet::zero(); D], |j| Jet::starting(start[i].slopes[j], &rates[i].slopes[j])),
     })
+}
+
+/// No motion.
+#[inline]
+fn resting<S: Arithmetic, const NX: usize, const D: usize, const K: usize>(
+    start: &[Dual<S, D>; NX],
+) -> [Dual<Jet<S, K>, D>; NX] {
+    following(start, &[Dual::<Jet<S, 1>, D>::zero(); NX])
 }
 
 /// The state `x` with the slopes of the input fields.
@@ -141,7 +173,19 @@ where
     S: Smooth<P::Scalar>,
 {
     let fields = plant.input_fields(x);
-    array::from_fn(|i| Dual { value: x[i], slopes: array::from_fn(|j| fields[j][i]) })
+    each([Dual::zero(); NX], |i| Dual {
+        value: x[i],
+        slopes: each([S::zero(); M], |j| fields[j][i]),
+    })
+}
+
+/// `entries`, each replaced by `f` of its place: `array::from_fn` as a plain loop, which the compiler sees through at any size.
+#[inline]
+fn each<A, const N: usize>(mut entries: [A; N], f: impl Fn(usize) -> A) -> [A; N] {
+    for (i, entry) in entries.iter_mut().enumerate() {
+        *entry = f(i);
+    }
+    entries
 }
 
 /// The slopes of (h, L_f h, …, L_f^{K−1} h) for any K, for each output and direction: by K − 1 evaluations of f at the full length.
@@ -154,12 +198,12 @@ where
     P: SmoothPlant<NX, M, Scalar = T>,
     S: Smooth<T>,
 {
-    let mut jets: [Dual<Jet<S, K>, D>; NX] = start.each_ref().map(|start| Dual {
-        value: Jet::constant(start.value),
-        slopes: start.slopes.map(Jet::constant),
-    });
+    let mut jets: [Dual<Jet<S, K>, D>; NX] = resting(start);
     for _ in 1..K {
         jets = following(start, &plant.drift_field(jets));
     }
-    plant.outputs(jets).map(|y| y.slopes.map(|slope| *slope.derivatives()))
+    let outputs = plant.outputs(jets);
+    each([[[S::zero(); K]; D]; M], |i| {
+        each([[S::zero(); K]; D], |j| *outputs[i].slopes[j].derivatives())
+    })
 }
