@@ -6,9 +6,18 @@
 #[path = "../common/precisions.rs"]
 mod precisions;
 
+mod ball_and_beam;
+mod by_hand;
+mod cart_pole;
+mod chain_form;
+mod duffing;
+mod flexible_joint;
 mod integrator_chain;
 mod ladder;
+mod magnetic_levitation;
+mod motor_driven_link;
 mod pendulum;
+mod quadrotor;
 mod support;
 mod third_order;
 mod tracked_robot;
