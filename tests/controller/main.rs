@@ -16,5 +16,6 @@ mod paper;
 mod reference;
 mod support;
 mod unicycle;
+mod unmatched;
 
 use precisions::at_f32_and_f64;
