@@ -3,8 +3,8 @@
 //! A pendulum with twice the mass that its controller believes follows a sine. The cost ∫(e² + ρ·τ̇²) dt weighs the error against the wear of the
 //! drive; one run gives its exact gradient by λ and α, and an optimizer does the rest. The gains are ln λ and ln α, which keeps them positive.
 //!
-//! It asks for a smooth loop. The implicit sign with δ > 0 is smooth; the set-valued one has a kink where s comes within reach of zero, a
-//! saturated actuator has a derivative of zero, and there the gradient is that of one side.
+//! It asks for a loop without kinks. The implicit sign with δ > 0 has a continuous derivative; the set-valued one has a kink where s comes within
+//! reach of zero, an actuator where it saturates: there the gradient is that of one side, and beyond, it does not know what was cut off.
 
 use argmin::{
     core::{CostFunction, Executor, Gradient, State},
