@@ -5,10 +5,13 @@
 
 #[path = "../common/precisions.rs"]
 mod precisions;
+#[path = "../common/smooth_plants.rs"]
+mod smooth_plants;
 
 mod integrator_chain;
 mod ladder;
 mod pendulum;
+mod smooth;
 mod support;
 mod third_order;
 mod tracked_robot;
