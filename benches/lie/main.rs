@@ -3,19 +3,23 @@
 //! The figure to read is the ratio of the two in one run; times alone say more about the machine. The last group has no counterpart: it shows how the
 //! time grows with the order.
 
+#[path = "../../tests/common/smooth_plants.rs"]
+#[allow(dead_code)]
+mod smooth_plants;
+
 mod cascade;
-mod flexible_joint;
+mod textbook;
 
 use std::hint::black_box;
 
 use brunovsky::{
     Scalar,
-    plant::{Along, Decouplable, Flow, Linearization, SmoothPlant},
+    plant::{Along, Decouplable, Flow, Linearization, Link, SmoothPlant, TwoLinkArm},
     prelude::*,
 };
 use cascade::Cascade;
 use criterion::{Criterion, criterion_group, criterion_main};
-use flexible_joint::FlexibleJoint;
+use smooth_plants::{Arm, FlexibleJoint};
 
 fn real<T: Scalar>(value: f64) -> T {
     brunovsky::nalgebra::convert(value)
@@ -44,12 +48,12 @@ fn time<T: Scalar, R, const N: usize>(
 }
 
 #[inline(never)]
-fn derived<T: Scalar>(joint: &FlexibleJoint<T>, x: &SVector<T, 4>) -> Linearization<T, 4, 1> {
-    joint.by_hand(x)
+fn by_hand<T: Scalar>(joint: &FlexibleJoint<T>, x: &SVector<T, 4>) -> Linearization<T, 4, 1> {
+    textbook::linearization(joint, x)
 }
 
 #[inline(never)]
-fn differentiated<T: Scalar, P, const NX: usize, const N: usize, const M: usize>(
+fn law<T: Scalar, P, const NX: usize, const N: usize, const M: usize>(
     plant: &P,
     x: &SVector<T, NX>,
 ) -> Result<Linearization<T, N, M>, Error>
@@ -59,21 +63,47 @@ where
     plant.linearization(x)
 }
 
-fn flexible_joint<T: Scalar>(criterion: &mut Criterion, precision: &str) -> Result<(), Error> {
-    let joint = FlexibleJoint::new([1.2, 0.3, 9.0, 100.0].map(real::<T>));
-    let plant = joint.linearized::<4>([real(0.1); 4])?;
-    // Two implementations are worth comparing only if they compute the same.
-    for x in states::<T, 4>() {
-        let (ours, hand) = (differentiated(&plant, &x)?, derived(&joint, &x));
-        let scale = real::<T>(1e5);
-        assert!((ours.drift - hand.drift).amax() <= scale * T::default_epsilon() * real(10.0));
-        assert!((ours.chains[0] - hand.chains[0]).amax() <= scale * T::default_epsilon());
-        assert!((ours.matrix - hand.matrix).amax() <= scale * T::default_epsilon());
+/// Two implementations are worth comparing only if they compute the same.
+fn assert_same<T: Scalar, const N: usize, const M: usize>(
+    ours: &Linearization<T, N, M>,
+    hand: &Linearization<T, N, M>,
+) {
+    let close = |ours: &[T], hand: &[T]| {
+        let scale = hand.iter().fold(T::one(), |scale, entry| scale.max(entry.abs()));
+        let off = ours.iter().zip(hand).fold(T::zero(), |off, (a, b)| off.max((*a - *b).abs()));
+        assert!(off <= scale * T::default_epsilon() * real(1e3), "{ours:?} is not {hand:?}");
+    };
+    for (ours, hand) in ours.chains.iter().zip(&hand.chains) {
+        close(ours.as_slice(), hand.as_slice());
     }
-    time(criterion, &format!("flexible joint, {precision}/by hand"), |x| derived(&joint, x));
-    time(criterion, &format!("flexible joint, {precision}/differentiated"), |x| {
-        differentiated(&plant, x)
-    });
+    close(ours.drift.as_slice(), hand.drift.as_slice());
+    close(ours.matrix.as_slice(), hand.matrix.as_slice());
+}
+
+fn flexible_joint<T: Scalar>(criterion: &mut Criterion, precision: &str) -> Result<(), Error> {
+    let [link, motor, weight, stiffness] = [1.2, 0.3, 9.0, 100.0].map(real::<T>);
+    let joint = FlexibleJoint { link, motor, weight, stiffness };
+    let plant = joint.linearized::<4>([real(0.1); 4])?;
+    for x in states::<T, 4>() {
+        assert_same(&law(&plant, &x)?, &by_hand(&joint, &x));
+    }
+    time(criterion, &format!("flexible joint, {precision}/by hand"), |x| by_hand(&joint, x));
+    time(criterion, &format!("flexible joint, {precision}/differentiated"), |x| law(&plant, x));
+    Ok(())
+}
+
+fn arm(criterion: &mut Criterion) -> Result<(), Error> {
+    let links = [[2.0, 0.35, 0.15, 0.02], [1.5, 0.3, 0.2, 0.015]];
+    let friction = [0.1, 0.2];
+    let [first, second] =
+        links.map(|[mass, length, centre, inertia]| Link { mass, length, centre, inertia });
+    let written = TwoLinkArm::new([first, second], friction, 9.81)?;
+    let derived = Arm { links, friction, gravity: 9.81, payload: 0.0 }.linearized::<2>([0.1; 4])?;
+    for x in states::<f64, 4>() {
+        assert_same(&law(&derived, &x)?, &law(&written, &x)?);
+    }
+    time(criterion, "two-link arm/by hand", |x| law(&written, x));
+    time(criterion, "two-link arm/differentiated", |x| law(&derived, x));
     Ok(())
 }
 
@@ -83,7 +113,7 @@ where
 {
     let plant = Cascade::<N>.linearized::<N>([0.1; 6])?;
     time(criterion, &format!("cascade of order 6, relative degree {N}/differentiated"), |x| {
-        differentiated(&plant, x)
+        law(&plant, x)
     });
     Ok(())
 }
@@ -91,6 +121,7 @@ where
 fn all(criterion: &mut Criterion) {
     let outcome = flexible_joint::<f64>(criterion, "f64")
         .and_then(|()| flexible_joint::<f32>(criterion, "f32"))
+        .and_then(|()| arm(criterion))
         .and_then(|()| cascade::<1>(criterion))
         .and_then(|()| cascade::<2>(criterion))
         .and_then(|()| cascade::<3>(criterion))

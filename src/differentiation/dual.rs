@@ -85,6 +85,8 @@ impl<S: Arithmetic, const M: usize> Sub for Dual<S, M> {
     }
 }
 
+/// (a·b)′ = a′·b + a·b′.
+#[allow(clippy::suspicious_arithmetic_impl)]
 impl<S: Arithmetic, const M: usize> Mul for Dual<S, M> {
     type Output = Self;
 
@@ -94,6 +96,8 @@ impl<S: Arithmetic, const M: usize> Mul for Dual<S, M> {
     }
 }
 
+/// (a/b)′ = (a′ − a/b·b′)/b.
+#[allow(clippy::suspicious_arithmetic_impl)]
 impl<S: Arithmetic, const M: usize> Div for Dual<S, M> {
     type Output = Self;
 

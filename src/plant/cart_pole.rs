@@ -80,6 +80,7 @@ impl<T: Scalar> CartPole<T> {
     }
 
     /// M + m·sin² θ: what a force on the cart has to move.
+    #[inline]
     fn moved<S: Smooth<T>>(&self, sin: S) -> S {
         sin * sin * self.pole + self.cart
     }

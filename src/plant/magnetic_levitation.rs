@@ -73,6 +73,7 @@ impl<T: Scalar> MagneticLevitation<T> {
     }
 
     /// L(y) in H.
+    #[inline]
     fn inductance<S: Smooth<T>>(&self, y: S) -> S {
         let Electromagnet { far, near, range, .. } = self.magnet;
         (y + range).recip() * (near * range) + far

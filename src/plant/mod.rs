@@ -10,12 +10,13 @@
 //! needs of its *model*; a [simulation](crate::simulation) asks only for a [`Plant`]. The true plant and the model may
 //! differ: other parameters of the same type, or a plant wrapped in [`Uncertain`].
 //!
-//! Beside the ladder stands [`Decouplable<NX, N, M>`](Decouplable): several inputs, several chains.
+//! Beside the ladder stands [`Decouplable<NX, N, M>`](Decouplable): several inputs, several chains. A plant that is not in chain form is a
+//! [`SmoothPlant<NX, M>`](SmoothPlant): it gives its equations f, g and h, and [`Linearized`] is `Decouplable` with the derivatives of them.
 //!
 //! States are column vectors `SVector<T, NX>` counted from 0 (so x₁ of the literature is `x[0]`), inputs
 //! `SVector<T, NU>`, time is in seconds. Each plant states its units.
 //!
-//! This module depends on nothing but [`Scalar`].
+//! This module depends on nothing but [`Scalar`] and [`differentiation`](crate::differentiation).
 
 mod ball_and_beam;
 mod cart_pole;

@@ -5,6 +5,8 @@
 
 #[path = "../common/precisions.rs"]
 mod precisions;
+#[path = "../common/smooth_plants.rs"]
+mod smooth_plants;
 
 mod clelc;
 mod decoupling;

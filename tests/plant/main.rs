@@ -5,6 +5,8 @@
 
 #[path = "../common/precisions.rs"]
 mod precisions;
+#[path = "../common/smooth_plants.rs"]
+mod smooth_plants;
 
 mod ball_and_beam;
 mod by_hand;
@@ -18,6 +20,7 @@ mod magnetic_levitation;
 mod motor_driven_link;
 mod pendulum;
 mod quadrotor;
+mod smooth;
 mod support;
 mod third_order;
 mod tracked_robot;

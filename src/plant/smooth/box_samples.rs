@@ -53,7 +53,9 @@ impl<T: Scalar, const N: usize> Iterator for BoxSamples<T, N> {
 
     fn next(&mut self) -> Option<SVector<T, N>> {
         let state = self.low + self.size.component_mul(&self.place);
-        self.place = (self.place + self.stride).map(|place| place - place.floor());
+        // Both are below 1; dual numbers have no floor.
+        let inside = |place: T| if place < T::one() { place } else { place - T::one() };
+        self.place = (self.place + self.stride).map(inside);
         Some(state)
     }
 }

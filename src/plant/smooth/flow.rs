@@ -87,6 +87,7 @@ macro_rules! order {
     };
 }
 
+/// The same, by f of jets of `$fewer` entries.
 macro_rules! next_order {
     ($fewer:literal + 1 = $n:literal, $_n:literal + 1 = $longer:literal) => {
         order!($n + 1 = $longer, |plant, start| {
@@ -127,15 +128,12 @@ where
     let longer: [Jet<S, LONGER>; NX] =
         each([Jet::zero(); NX], |i| Jet::starting(start[i].value, &rates[i]));
     let outputs = plant.outputs(longer);
-    let moved = plant.outputs(jets);
     LieDerivatives {
         chains: each([[S::zero(); N]; M], |i| {
             each([S::zero(); N], |k| outputs[i].derivatives()[k])
         }),
         drift: each([S::zero(); M], |i| outputs[i].derivatives()[N]),
-        slopes: each([[[S::zero(); N]; D]; M], |i| {
-            each([[S::zero(); N]; D], |j| *moved[i].slopes[j].derivatives())
-        }),
+        slopes: slopes(&plant.outputs(jets)),
     }
 }
 
@@ -179,6 +177,16 @@ where
     })
 }
 
+/// The derivatives of the slopes.
+#[inline]
+fn slopes<S: Arithmetic, const M: usize, const D: usize, const K: usize>(
+    outputs: &[Dual<Jet<S, K>, D>; M],
+) -> [[[S; K]; D]; M] {
+    each([[[S::zero(); K]; D]; M], |i| {
+        each([[S::zero(); K]; D], |j| *outputs[i].slopes[j].derivatives())
+    })
+}
+
 /// `entries`, each replaced by `f` of its place: `array::from_fn` as a plain loop, which the compiler sees through at any size.
 #[inline]
 fn each<A, const N: usize>(mut entries: [A; N], f: impl Fn(usize) -> A) -> [A; N] {
@@ -189,7 +197,7 @@ fn each<A, const N: usize>(mut entries: [A; N], f: impl Fn(usize) -> A) -> [A; N
 }
 
 /// The slopes of (h, L_f h, …, L_f^{K−1} h) for any K, for each output and direction: by K − 1 evaluations of f at the full length.
-pub(super) fn slopes<P, S, T, const NX: usize, const M: usize, const D: usize, const K: usize>(
+pub(super) fn all_slopes<P, S, T, const NX: usize, const M: usize, const D: usize, const K: usize>(
     plant: &P,
     start: &[Dual<S, D>; NX],
 ) -> [[[S; K]; D]; M]
@@ -202,8 +210,5 @@ where
     for _ in 1..K {
         jets = following(start, &plant.drift_field(jets));
     }
-    let outputs = plant.outputs(jets);
-    each([[[S::zero(); K]; D]; M], |i| {
-        each([[S::zero(); K]; D], |j| *outputs[i].slopes[j].derivatives())
-    })
+    slopes(&plant.outputs(jets))
 }

@@ -1,4 +1,11 @@
 //! Plants that are given by their equations, and what differentiation finds out about them.
+//!
+//! | from ẋ = f(x) + g(x)·u, y = h(x) | |
+//! |---|---|
+//! | [`Linearized`] | the chain form z = (h, L_f h, …), a = L_f^N h, B = L_g L_f^{N−1} h, for controllers and simulations |
+//! | [`RelativeDegree`] | the N for which there is one: at a state, along a trajectory, over a box of [`BoxSamples`] |
+//! | [`Jacobians`] | A, B, C near an operating point |
+//! | [`Flow`] | the Lie derivatives themselves |
 
 mod box_samples;
 mod flow;
@@ -23,6 +30,9 @@ use crate::{Error, Scalar, differentiation::Smooth};
 /// They are written once, for any number `S` that is [`Smooth`] over the plant's own, and run on plain numbers as on those that carry
 /// derivatives. From them follow the chain form ([`linearized`](Self::linearized)), the relative degree and the Jacobians.
 ///
+/// A law of order N runs f on N jets of 1 to N entries, so its cost grows with N³ at most. Marked `#[inline]`, f, g and h become one piece of
+/// straight code with it, in which nothing is computed twice: a sine in f costs one sine, whatever the order.
+///
 /// # Example
 /// A link that is driven through a spring; its angle q is to follow a reference. The motor acts on the fourth derivative of q:
 ///
@@ -39,6 +49,7 @@ use crate::{Error, Scalar, differentiation::Smooth};
 ///
 /// impl SmoothPlant<4, 1> for FlexibleJoint {
 ///     type Scalar = f64;
+///     #[inline]
 ///     fn drift_field<S: Smooth>(&self, [q, q_dot, theta, theta_dot]: [S; 4]) -> [S; 4] {
 ///         let spring = (q - theta) * self.stiffness;
 ///         let weight = q.sin() * self.weight;

@@ -4,13 +4,13 @@ use nalgebra::{SMatrix, SVector};
 
 use super::{
     BoxSamples, SmoothPlant,
-    flow::{along_inputs, slopes},
+    flow::{all_slopes, along_inputs},
     linearized::finite_equations,
 };
 use crate::{
     Error, Scalar,
     differentiation::RunningError,
-    error::{finite, value},
+    error::{finite, finite_vector, value},
     scalar::{constant, epsilon},
 };
 
@@ -62,6 +62,7 @@ impl<T: Scalar, const NX: usize, const M: usize> RelativeDegree<T, NX, M> {
     where
         P: SmoothPlant<NX, M, Scalar = T>,
     {
+        finite_vector("x", &x)?;
         // Far enough for a slope to show above rounding, and close enough for everything else to stay as it is.
         let distance = x.map(|x| (T::one() + x.abs()) * epsilon::<T>().sqrt().sqrt());
         let near = BoxSamples::new(x - distance, x + distance)?.skip(1).take(NX + 1);
@@ -185,7 +186,7 @@ where
 {
     finite_equations(plant, x)?;
     let start = along_inputs(plant, array::from_fn(|i| RunningError::from(x[i])));
-    let table: Table<P::Scalar, NX, M> = slopes(plant, &start);
+    let table: Table<P::Scalar, NX, M> = all_slopes(plant, &start);
     for entry in table.iter().flatten().flatten() {
         finite("L_g L_f^k h", entry.value() + entry.rounding())?;
     }

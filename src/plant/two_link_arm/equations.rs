@@ -3,6 +3,7 @@ use crate::{Scalar, differentiation::Smooth, plant::SmoothPlant};
 
 impl<T: Scalar> TwoLinkArm<T> {
     /// q̈ = M(q)⁻¹·`torque`, in closed form; see [`inverse_mass_matrix`](Self::inverse_mass_matrix).
+    #[inline]
     fn accelerations<S: Smooth<T>>(&self, q2: S, torque: [S; 2]) -> [S; 2] {
         let (sin, cos) = q2.sin_cos();
         let [first, second] = &self.links;
