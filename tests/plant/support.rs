@@ -56,8 +56,11 @@ pub fn power<const N: usize>(
     energy(&x.zip_map(rate, Dual64::new)).eps
 }
 
+/// The name of a parameter, and the constructor with a value for it.
+type Constructor<P> = (&'static str, fn(f64) -> Result<P, Error>);
+
 /// A constructor that refuses a parameter says so by its name.
-pub struct Refusals<P: 'static>(pub &'static [(&'static str, fn(f64) -> Result<P, Error>)]);
+pub struct Refusals<P: 'static>(pub &'static [Constructor<P>]);
 
 impl<P: 'static> Refusals<P> {
     pub fn all_are_finite(&self) {

@@ -64,11 +64,7 @@ at_f32_and_f64! {
 }
 
 /// R_z(ψ)·R_y(θ)·R_x(φ).
-fn rotation<T: Scalar>(x: &SVector<T, 6>) -> Rotation3<T>
-where
-    T: nalgebra::SimdRealField,
-    T::Element: nalgebra::SimdRealField,
-{
+fn rotation<T: Scalar>(x: &SVector<T, 6>) -> Rotation3<T> {
     Rotation3::from_axis_angle(&nalgebra::Vector3::z_axis(), x[2])
         * Rotation3::from_axis_angle(&nalgebra::Vector3::y_axis(), x[1])
         * Rotation3::from_axis_angle(&nalgebra::Vector3::x_axis(), x[0])
