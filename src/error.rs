@@ -55,6 +55,58 @@ pub enum Error {
         /// What it has to lie below.
         limit: f64,
     },
+    /// A quantity that has to keep a distance from zero.
+    #[error("{name}[{index}] = {value} is closer to 0 than {limit}")]
+    TooSmall {
+        /// The vector, or the rows of the matrix.
+        name: &'static str,
+        /// The entry or row, counted from 0.
+        index: usize,
+        /// Its largest absolute value.
+        value: f64,
+        /// The smallest absolute value allowed.
+        limit: f64,
+    },
+    /// No input acts on the first derivatives of an output, up to the order of the plant.
+    #[error(
+        "no input acts on derivatives 1 to {derivatives} of output {output}: the largest |L_g L_f^k h| is {value}, \
+         with a rounding error of up to {rounding}"
+    )]
+    Unreached {
+        /// The output, counted from 0.
+        output: usize,
+        /// The highest derivative that was looked at.
+        derivatives: usize,
+        /// The largest Lie derivative by an input, in units of its rounding error.
+        value: f64,
+        /// The bound on its rounding error.
+        rounding: f64,
+    },
+    /// The relative degree of an output is not defined: its decisive Lie derivative vanishes at a state and not beside it.
+    #[error(
+        "output {output} has no relative degree at x: L_g L_f^{order} h = {value} there, with a rounding error of up to \
+         {rounding}, and does not vanish beside x"
+    )]
+    UndefinedRelativeDegree {
+        /// The output, counted from 0.
+        output: usize,
+        /// How many times f comes before g.
+        order: usize,
+        /// The largest |L_g L_f^order h| at the state.
+        value: f64,
+        /// The bound on its rounding error.
+        rounding: f64,
+    },
+    /// An output with another relative degree than its controller is for.
+    #[error("output {output} has relative degree {found}, not {expected}")]
+    RelativeDegree {
+        /// The output, counted from 0.
+        output: usize,
+        /// The relative degree asked for.
+        expected: usize,
+        /// The relative degree found.
+        found: usize,
+    },
     /// A quantity that the law divides by has vanished, so no input produces the commanded motion.
     #[error("{name} = {value} is singular")]
     Singular {

@@ -18,7 +18,8 @@
 //!
 //! | room | what is in it | depends on |
 //! |---|---|---|
-//! | [`plant`] | what is controlled: three rungs of traits, named plants, uncertainty | – |
+//! | [`differentiation`] | numbers that carry derivatives, or their own rounding error | – |
+//! | [`plant`] | what is controlled: three rungs of traits, plants by their equations, named plants, uncertainty | differentiation |
 //! | [`integrators`] | fixed-step methods for ẋ = f(t, x) | – |
 //! | [`fuzzy`] | membership functions, rule grid, network | – |
 //! | [`learning`] | sources of ė_n, adaptation rules, compensators, certificates | fuzzy |
@@ -43,6 +44,7 @@ pub mod hardware {}
 
 pub mod actuator;
 pub mod controller;
+pub mod differentiation;
 pub mod elementary;
 pub mod fuzzy;
 pub mod integrators;

@@ -6,7 +6,7 @@ use crate::{
     Error, Scalar,
     error::{finite_vector, positive, remembered, value},
     learning::LearningMode,
-    plant::Decouplable,
+    plant::{Decouplable, Linearization},
     scalar::{constant, epsilon},
 };
 
@@ -31,14 +31,7 @@ where
     chains: C,
     max_condition: P::Scalar,
     input: SVector<P::Scalar, M>,
-    last: Option<Linearization<P::Scalar, M>>,
-}
-
-/// a(x) and B(x) at one sample.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Linearization<T, const M: usize> {
-    drift: SVector<T, M>,
-    matrix: SMatrix<T, M, M>,
+    last: Option<Linearization<P::Scalar, N, M>>,
 }
 
 /// An input of [`Decoupling`] and how it came about.
@@ -110,8 +103,8 @@ where
 
     /// # Errors
     /// [`Error::NotPositive`] for `dt`; [`Error::NonFiniteEntry`] for the measurement, a(x), the chains and u;
-    /// [`Error::IllConditioned`] for B(x); [`Error::NonFinite`] for a(x) and u that are too large to be remembered; and those of the chains'
-    /// controllers.
+    /// [`Error::IllConditioned`] for B(x); [`Error::NonFinite`] for a(x) and u that are too large to be remembered; those of
+    /// [`Decouplable::linearization`], and those of the chains' controllers.
     fn update_if(
         &mut self,
         measurement: &Measurement<P::Scalar, NX, M>,
@@ -122,18 +115,14 @@ where
         positive("dt", dt)?;
         measurement.validate()?;
         let x = &measurement.x;
-        let now = Linearization {
-            drift: self.model.chain_drift(x),
-            matrix: self.model.decoupling_matrix(x),
-        };
-        finite_vector("a(x)", &now.drift)?;
-        let inverse = inverted(&self.model.inverted_matrix(x), self.max_condition)?;
+        let now = self.model.linearization(x)?;
+        let inverse = inverted(&now.inverted, self.max_condition)?;
 
         let applied = measurement.applied.unwrap_or(self.input);
         let end = now.drift + now.matrix * applied;
         let start = self.last.map_or(end, |last| last.drift + last.matrix * applied);
         let mean = (start + end) * constant::<P::Scalar>(0.5);
-        let states = self.model.chains(x);
+        let states = now.chains;
         // A rate is measured at the end of the period, where the input amounts to `end`; the chain is told `mean`.
         let rates = measurement.x_dot.map(|x_dot| self.model.chain_rates(x, &x_dot) - end + mean);
         let told = core::array::from_fn(|i| {

@@ -5,6 +5,7 @@
 //! | [`FeedbackLinearization`] | u = b⁻¹·(−a + u_f + u_b) (eq_ndi_controllaw) | a model in chain form |
 //! | [`Clelc`] | u = b⁻¹·(−a + u_f + u_b + u_n) (eq_new_controllaw) | the same and a [compensator](crate::learning::Compensator) |
 //! | [`Decoupling`] | u = B⁻¹·(−a + ν), νᵢ from one [controller a chain](ChainControllers) | several chains |
+//! | [`Padded`] | any of them in a chain longer than its order | outputs of different relative degree |
 //! | [`UnicycleController`](unicycle::UnicycleController) | the same with v̇ = ξ (eq_transformation) | the unicycle robot |
 //! | [`Limited`] | any of them with an [actuator](crate::actuator) behind it, told what arrived | any plant |
 //! | [`Supervised`] | any of them and an operator, who takes over and hands back without a bump | any plant |
@@ -30,6 +31,7 @@ mod feedback_linearization;
 mod gains;
 mod limited;
 mod measurement;
+mod padded;
 mod reference;
 mod supervised;
 pub mod unicycle;
@@ -41,6 +43,7 @@ pub use feedback_linearization::{FeedbackLinearization, FeedbackLinearizationCom
 pub use gains::Gains;
 pub use limited::{Limited, LimitedCommand};
 pub use measurement::Measurement;
+pub use padded::Padded;
 pub use reference::Reference;
 pub use supervised::{Mode, Supervised, SupervisedCommand};
 

@@ -26,6 +26,13 @@ impl<T: Scalar, const N: usize> Reference<T, N> {
         Self::new(r, T::zero())
     }
 
+    /// The same reference in the last N entries of a longer chain, for a controller that is [`Padded`](super::Padded).
+    pub fn padded<const LONGER: usize>(&self) -> Reference<T, LONGER> {
+        const { assert!(LONGER >= N, "a longer chain") };
+        let entry = |i: usize| (i + N).checked_sub(LONGER).map_or(T::zero(), |i| self.r[i]);
+        Reference { r: SVector::from_fn(|i, _| entry(i)), r_n_dot: self.r_n_dot }
+    }
+
     /// Checks that everything is finite.
     ///
     /// # Errors

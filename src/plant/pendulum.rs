@@ -1,9 +1,10 @@
 use nalgebra::SVector;
 
-use super::FeedbackLinearizable;
+use super::{FeedbackLinearizable, SmoothPlant};
 use crate::{
     Error, Scalar,
-    elementary::{cos, sin},
+    differentiation::Smooth,
+    elementary::cos,
     error::{not_negative, positive},
 };
 
@@ -43,16 +44,41 @@ impl<T: Scalar> Pendulum<T> {
         let kinetic = self.inertia() * x[1] * x[1] * crate::scalar::constant(0.5);
         kinetic + self.mass * self.gravity * self.length * (T::one() - cos(x[0]))
     }
+
+    #[inline]
+    fn acceleration<S: Smooth<T>>(&self, [theta, theta_dot]: [S; 2]) -> S {
+        let damping = theta_dot * (self.damping / self.inertia());
+        -(theta.sin() * (self.gravity / self.length)) - damping
+    }
 }
 
 impl<T: Scalar> FeedbackLinearizable<2> for Pendulum<T> {
     type Scalar = T;
 
     fn drift(&self, x: &SVector<T, 2>) -> T {
-        -(self.gravity / self.length) * sin(x[0]) - self.damping / self.inertia() * x[1]
+        self.acceleration((*x).into())
     }
 
     fn input_gain(&self, _x: &SVector<T, 2>) -> T {
         self.inertia().recip()
+    }
+}
+
+impl<T: Scalar> SmoothPlant<2, 1> for Pendulum<T> {
+    type Scalar = T;
+
+    #[inline]
+    fn drift_field<S: Smooth<T>>(&self, x: [S; 2]) -> [S; 2] {
+        [x[1], self.acceleration(x)]
+    }
+
+    #[inline]
+    fn input_fields<S: Smooth<T>>(&self, _x: [S; 2]) -> [[S; 2]; 1] {
+        [[S::zero(), S::from(self.inertia().recip())]]
+    }
+
+    #[inline]
+    fn outputs<S: Smooth<T>>(&self, [theta, _]: [S; 2]) -> [S; 1] {
+        [theta]
     }
 }

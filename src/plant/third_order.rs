@@ -2,8 +2,8 @@ use core::marker::PhantomData;
 
 use nalgebra::SVector;
 
-use super::FeedbackLinearizable;
-use crate::{Scalar, elementary::sin, scalar::constant};
+use super::{FeedbackLinearizable, SmoothPlant};
+use crate::{Scalar, differentiation::Smooth, scalar::constant};
 
 /// The third-order system of the simulation study: a(x) = −2x₁ − x₂ − sin x₃ + e^{x₁}, b(x) = 1 (eq_3rdsystems). Dimensionless.
 ///
@@ -30,10 +30,34 @@ impl<T: Scalar> FeedbackLinearizable<3> for ThirdOrder<T> {
     type Scalar = T;
 
     fn drift(&self, x: &SVector<T, 3>) -> T {
-        constant::<T>(-2.0) * x[0] - x[1] - sin(x[2]) + x[0].exp()
+        jerk::<T, T>((*x).into())
     }
 
     fn input_gain(&self, _x: &SVector<T, 3>) -> T {
         T::one()
+    }
+}
+
+#[inline]
+fn jerk<T: Scalar, S: Smooth<T>>([x1, x2, x3]: [S; 3]) -> S {
+    x1 * constant::<T>(-2.0) - x2 - x3.sin() + x1.exp()
+}
+
+impl<T: Scalar> SmoothPlant<3, 1> for ThirdOrder<T> {
+    type Scalar = T;
+
+    #[inline]
+    fn drift_field<S: Smooth<T>>(&self, x: [S; 3]) -> [S; 3] {
+        [x[1], x[2], jerk(x)]
+    }
+
+    #[inline]
+    fn input_fields<S: Smooth<T>>(&self, _x: [S; 3]) -> [[S; 3]; 1] {
+        [[S::zero(), S::zero(), S::one()]]
+    }
+
+    #[inline]
+    fn outputs<S: Smooth<T>>(&self, [x1, ..]: [S; 3]) -> [S; 1] {
+        [x1]
     }
 }

@@ -2,8 +2,8 @@ use core::marker::PhantomData;
 
 use nalgebra::{SMatrix, SVector};
 
-use super::{ControlAffine, Decouplable};
-use crate::{Scalar, elementary::sin_cos};
+use super::{ControlAffine, Decouplable, SmoothPlant};
+use crate::{Scalar, differentiation::Smooth, elementary::sin_cos};
 
 /// The unicycle with its speed as a state: ṗ_x = v·cos θ, ṗ_y = v·sin θ, θ̇ = ω, v̇ = ξ (eq_mobilerobotmodel with the dynamic extension).
 ///
@@ -67,5 +67,26 @@ impl<T: Scalar> Decouplable<4, 2, 2> for Unicycle<T> {
 
     fn chain_rates(&self, x: &SVector<T, 4>, x_dot: &SVector<T, 4>) -> SVector<T, 2> {
         self.decoupling_matrix(x) * SVector::from([x_dot[3], x_dot[2]])
+    }
+}
+
+impl<T: Scalar> SmoothPlant<4, 2> for Unicycle<T> {
+    type Scalar = T;
+
+    #[inline]
+    fn drift_field<S: Smooth<T>>(&self, [_, _, theta, v]: [S; 4]) -> [S; 4] {
+        let (sin, cos) = theta.sin_cos();
+        [v * cos, v * sin, S::zero(), S::zero()]
+    }
+
+    #[inline]
+    fn input_fields<S: Smooth<T>>(&self, _x: [S; 4]) -> [[S; 4]; 2] {
+        let (zero, one) = (S::zero(), S::one());
+        [[zero, zero, zero, one], [zero, zero, one, zero]]
+    }
+
+    #[inline]
+    fn outputs<S: Smooth<T>>(&self, [p_x, p_y, ..]: [S; 4]) -> [S; 2] {
+        [p_x, p_y]
     }
 }

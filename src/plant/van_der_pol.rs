@@ -1,7 +1,7 @@
 use nalgebra::SVector;
 
-use super::FeedbackLinearizable;
-use crate::{Error, Scalar, error::finite};
+use super::{FeedbackLinearizable, SmoothPlant};
+use crate::{Error, Scalar, differentiation::Smooth, error::finite};
 
 /// The forced Van der Pol oscillator: ẍ₁ = μ·(1 − x₁²)·ẋ₁ − x₁ + u. Dimensionless.
 ///
@@ -22,16 +22,40 @@ impl<T: Scalar> VanDerPol<T> {
     pub fn new(mu: T) -> Result<Self, Error> {
         Ok(Self { mu: finite("mu", mu)? })
     }
+
+    #[inline]
+    fn acceleration<S: Smooth<T>>(&self, [x, x_dot]: [S; 2]) -> S {
+        (-(x * x) + T::one()) * self.mu * x_dot - x
+    }
 }
 
 impl<T: Scalar> FeedbackLinearizable<2> for VanDerPol<T> {
     type Scalar = T;
 
     fn drift(&self, x: &SVector<T, 2>) -> T {
-        self.mu * (T::one() - x[0] * x[0]) * x[1] - x[0]
+        self.acceleration((*x).into())
     }
 
     fn input_gain(&self, _x: &SVector<T, 2>) -> T {
         T::one()
+    }
+}
+
+impl<T: Scalar> SmoothPlant<2, 1> for VanDerPol<T> {
+    type Scalar = T;
+
+    #[inline]
+    fn drift_field<S: Smooth<T>>(&self, x: [S; 2]) -> [S; 2] {
+        [x[1], self.acceleration(x)]
+    }
+
+    #[inline]
+    fn input_fields<S: Smooth<T>>(&self, _x: [S; 2]) -> [[S; 2]; 1] {
+        [[S::zero(), S::one()]]
+    }
+
+    #[inline]
+    fn outputs<S: Smooth<T>>(&self, [x, _]: [S; 2]) -> [S; 1] {
+        [x]
     }
 }

@@ -5,6 +5,8 @@
 
 #[path = "../common/precisions.rs"]
 mod precisions;
+#[path = "../common/smooth_plants.rs"]
+mod smooth_plants;
 
 mod clelc;
 mod decoupling;
@@ -19,5 +21,6 @@ mod snapshot;
 mod supervised;
 mod support;
 mod unicycle;
+mod unmatched;
 
 use precisions::at_f32_and_f64;

@@ -5,10 +5,22 @@
 
 #[path = "../common/precisions.rs"]
 mod precisions;
+#[path = "../common/smooth_plants.rs"]
+mod smooth_plants;
 
+mod ball_and_beam;
+mod by_hand;
+mod cart_pole;
+mod chain_form;
+mod duffing;
+mod flexible_joint;
 mod integrator_chain;
 mod ladder;
+mod magnetic_levitation;
+mod motor_driven_link;
 mod pendulum;
+mod quadrotor;
+mod smooth;
 mod support;
 mod third_order;
 mod tracked_robot;

@@ -1,8 +1,8 @@
 //! The unicycle against its geometry: arcs of radius v/ω, the chains of its position, mirror, rotation and reverse.
 
 use brunovsky::{
-    Scalar,
-    plant::{Decouplable, Plant, Unicycle},
+    Error, Scalar,
+    plant::{Decouplable, Plant, SmoothPlant, Unicycle},
 };
 use nalgebra::SVector;
 use num_dual::Dual64;
@@ -50,6 +50,28 @@ proptest! {
         for (i, chain) in Unicycle::new().chains(&along).iter().enumerate() {
             prop_assert!((found[i] - chain[1].eps).abs() <= 2.0 * ROUNDING);
         }
+    }
+
+    /// What differentiation finds in ṗ = v·(cos θ, sin θ), θ̇ = ω, v̇ = ξ is the law that was written by hand.
+    #[test]
+    fn its_equations_have_the_chains_and_the_decoupling_matrix_by_hand((x, u) in driving()) {
+        prop_assume!(x[3].abs() > 1e-3);
+        let (x, plant) = (SVector::from(x), Unicycle::new());
+        let chain = plant.linearized::<2>(x).unwrap();
+        let found = chain.linearization(&x).unwrap();
+        prop_assert_eq!(found.chains, plant.chains(&x));
+        prop_assert_eq!(found.drift, plant.chain_drift(&x));
+        // Sine, cosine and a product, each rounded.
+        prop_assert!((found.matrix - plant.decoupling_matrix(&x)).amax() <= 1e-15 * 4.0);
+        let rate = plant.derivative(0.0, &x, &u.into());
+        prop_assert!((chain.chain_rates(&x, &rate) - plant.chain_rates(&x, &rate)).amax() <= ROUNDING);
+    }
+
+    /// Each coordinate still has an input that acts on it, along θ, but both have the same.
+    #[test]
+    fn where_it_stands_its_decoupling_matrix_is_singular((x, _) in driving()) {
+        let refused = Unicycle::new().relative_degree([x[0], x[1], x[2], 0.0]).unwrap_err();
+        prop_assert!(matches!(refused, Error::IllConditioned { name: "B(x)", .. }), "{refused}");
     }
 
     #[test]

@@ -1,5 +1,6 @@
 //! Decoupling control: the joints of an arm as separate chains, the uncertainty of an unknown payload, and failures without a trace.
 
+mod equations;
 mod failures;
 mod learning;
 
@@ -7,7 +8,7 @@ use brunovsky::{
     Error, Scalar,
     controller::{
         ChainControllers, Clelc, ClelcCommand, Controller, Decoupling, FeedbackLinearization,
-        Gains, Measurement, Reference,
+        Gains, Measurement, Padded, Reference,
     },
     fuzzy::FuzzyNetwork,
     learning::{

@@ -1,5 +1,6 @@
 //! The arm against mechanics: the Lagrangian by hyper-dual numbers, energy, momentum, mirror images and the pendulums inside it.
 
+mod equations;
 mod motion;
 mod parameters;
 

@@ -1,3 +1,5 @@
+mod equations;
+
 use nalgebra::{SMatrix, SVector};
 
 use super::{ControlAffine, Decouplable};
