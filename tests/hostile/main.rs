@@ -28,7 +28,7 @@ macro_rules! withstand {
             use super::*;
 
             proptest! {
-                #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(1000) })]
+                #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(3000) })]
 
                 #[test]
                 fn withstands_anything_in_f32(bytes in bytes()) {
