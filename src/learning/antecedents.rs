@@ -17,7 +17,9 @@ use crate::{
 /// memberships carry no information about e.
 ///
 /// **`Fixed`** leaves them in place. The consequents then store u_n as a function of e, which is remembered where the state
-/// returns to; in exchange u_n also moves when e does.
+/// returns to; in exchange u_n also moves when e does. Under noise they also store what the noise of e says about that of s: a difference,
+/// [`ModelAided`](super::ModelAided) included, has the noise of e_n in s as 1/h of itself, and within some (σ/noise)² samples the network
+/// takes it for more gain on e_n, up to 1/h, in which it then stays: less error, a rougher u. The example `long_run` shows it.
 ///
 /// # The singularity
 /// For ς < 0 the law drives M² to zero in finite time and asks for an infinite σ̇ there: the input sits on a centre. For ς > 0, M²

@@ -221,7 +221,7 @@ fn a_jump_has_left_no_more_than_was_asked_for_after_the_recovery_time() {
             let time = certificate.recovery_time(jump, within).unwrap().unwrap();
             let samples = (time / PERIOD).floor() as usize;
             for kind in 0..DISTURBANCES {
-                let s = trajectory(switching, residual + jump, bound * PERIOD, kind, 3000, |_| 0.0);
+                let s = trajectory(switching, residual + jump, bound * PERIOD, kind, 1500, |_| 0.0);
                 let left = s.skip(samples).fold(0.0, |left: f64, s| left.max(s.abs()));
                 assert!(left <= residual + within + 1e-12, "{switching:?}, B = {bound}, {kind}");
             }

@@ -117,7 +117,7 @@ fn a_jump_within_the_patience_never_trips_it_and_a_greater_one_does() {
         for (jump, level, within) in [(0.5, 0.0, 1e-3), (8.0, 0.02, 1e-3), (8.0, 0.0, 1e-6)] {
             let run = |kind, patience| {
                 let noise = |k: u32| level * (f64::from(k) * f64::from(k)).sin();
-                let after = trajectory(switching, s0 + jump, bound * PERIOD, kind, 3000, noise);
+                let after = trajectory(switching, s0 + jump, bound * PERIOD, kind, 1500, noise);
                 let seen = after.enumerate().map(|(k, s)| s + noise(k as u32));
                 let s = core::iter::repeat_n(0.0, 2000).chain(seen);
                 trips(certificate, level + within, patience, s)
