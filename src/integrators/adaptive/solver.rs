@@ -242,7 +242,8 @@ where
         if let Some(longest) = settings.longest_step {
             h = h.min(longest);
         }
-        let linearization = settings.method.linearize(&mut f, &from, h, &weights);
+        let within = left.map_or(h, |left| h.min(left));
+        let linearization = settings.method.linearize(&mut f, &from, within, &weights);
         self.statistics.jacobians += u64::from(M::LINEARIZES);
 
         let mut rejected = false;

@@ -61,14 +61,16 @@ impl Rodas {
     pub fn new() -> Self {
         Self::default()
     }
+
+    /// The same for an f without time.
+    pub fn autonomous() -> Self {
+        Self { jacobian: FiniteDifferences::autonomous() }
+    }
 }
 
 impl<J> Rodas<J> {
     /// The method with another source of the linearization: a closure `|t, x| Linearization { x: …, t: … }` or a [`Jacobian`].
-    pub fn with_jacobian<T: Scalar, const N: usize>(jacobian: J) -> Self
-    where
-        J: Jacobian<T, N>,
-    {
+    pub fn with_jacobian(jacobian: J) -> Self {
         Self { jacobian }
     }
 }
