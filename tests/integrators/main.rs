@@ -6,6 +6,7 @@
 mod adaptive;
 mod dormand_prince;
 mod euler;
+mod events;
 mod heun;
 mod integrate;
 mod order;

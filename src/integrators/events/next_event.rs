@@ -30,6 +30,9 @@ where
     /// After a terminal event the solver stands at it: go on as it is, or [`restart`](Self::restart) from another state first. The same
     /// `events` are passed again; the one that was reported is not found a second time. Time that other calls pass is not looked at.
     ///
+    /// Where infinitely many events pile up (Zeno), the ones closer together than the rounding of t are not told apart: leave the loop at
+    /// an impact that is slow enough.
+    ///
     /// ```
     /// use brunovsky::integrators::{Adaptive, Crossing, DormandPrince, Events, Tolerance};
     /// use nalgebra::SVector;

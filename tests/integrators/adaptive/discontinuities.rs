@@ -6,7 +6,7 @@ use nalgebra::SVector;
 use super::{pendulum, start};
 
 /// A time that no step of a power of two reaches.
-const SWITCH: f64 = 0.7071;
+const SWITCH: f64 = 0.709;
 
 /// ẋ = −x, and ẋ = −x + 2 from the switch on.
 fn switched(t: f64, x: &SVector<f64, 1>) -> SVector<f64, 1> {
