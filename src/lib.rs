@@ -19,7 +19,7 @@
 //! | room | what is in it | depends on |
 //! |---|---|---|
 //! | [`plant`] | what is controlled: three rungs of traits, named plants, uncertainty | – |
-//! | [`integrators`] | fixed-step methods for ẋ = f(t, x) | – |
+//! | [`integrators`] | ẋ = f(t, x) with fixed or adaptive steps, stiff or not; events | – |
 //! | [`fuzzy`] | membership functions, rule grid, network | – |
 //! | [`learning`] | sources of ė_n, adaptation rules, compensators, certificates | fuzzy |
 //! | [`actuator`] | saturation, rate limits | – |

@@ -7,6 +7,7 @@ mod initial_step;
 mod settings;
 mod solver;
 mod statistics;
+mod step;
 mod step_control;
 mod tolerance;
 

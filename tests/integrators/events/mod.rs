@@ -15,11 +15,12 @@ fn num<T: Scalar>(value: f64) -> T {
     nalgebra::convert(value)
 }
 
+type Field<T> = fn(T, &SVector<T, 1>) -> SVector<T, 1>;
+
 /// ẋ = 1 from x(0) = 0: x is the time, and steps grow tenfold.
-fn clock<T: Scalar>() -> Solver<'static, DormandPrince, fn(T, &SVector<T, 1>) -> SVector<T, 1>, T, 1>
-{
+fn clock<T: Scalar>() -> Solver<'static, DormandPrince, Field<T>, T, 1> {
     let tolerance = Tolerance::new(num(1e-3), num(1e-3)).unwrap();
-    let f: fn(T, &SVector<T, 1>) -> SVector<T, 1> = |_, _| SVector::from([T::one()]);
+    let f: Field<T> = |_, _| SVector::from([T::one()]);
     Adaptive::new(DormandPrince, tolerance).solve(f, T::zero(), [T::zero()]).unwrap()
 }
 
