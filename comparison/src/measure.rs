@@ -64,13 +64,13 @@ pub fn work<P: Problem<N>, const N: usize>(run: Run<N>, rtol: f64) -> Result<Wor
     })
 }
 
-/// The time of one run of each, in seconds: the least of seven batches of 10 ms, in turn.
+/// The time of one run of each, in seconds: the least of forty batches of 1 ms, in turn, short enough to fall between interruptions.
 pub fn times<const N: usize>(runs: &[Run<N>], rtol: f64) -> Vec<f64> {
     let mut least = vec![f64::INFINITY; runs.len()];
-    for _ in 0..7 {
+    for _ in 0..40 {
         for (run, least) in runs.iter().zip(&mut least) {
             let (start, mut count) = (Instant::now(), 0);
-            while start.elapsed() < Duration::from_millis(10) {
+            while start.elapsed() < Duration::from_millis(1) {
                 let _ = black_box(run(black_box(rtol), false));
                 count += 1;
             }

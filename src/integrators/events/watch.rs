@@ -201,7 +201,7 @@ impl<G, T: Scalar, const M: usize> Events<G, T, M> {
             if self.sides[i] != Ordering::Equal {
                 break;
             }
-            let time = start + (t - start) * constant(0.5_f64.powi(k));
+            let time = start + (t - start) * constant::<T>(0.5).powi(k);
             let value = self.values(time, &step.at(time))?[i];
             self.sides[i] = sign(value);
             self.since[i] = (time, value);
