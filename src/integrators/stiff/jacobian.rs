@@ -17,7 +17,9 @@ pub struct Linearization<T, const N: usize> {
 
 /// Where the linearization of f comes from.
 ///
-/// A closure `|t, x| Linearization { x: …, t: … }` is one, by hand or by automatic differentiation; [`FiniteDifferences`] needs f alone.
+/// A closure `|t, x| Linearization { x: …, t: … }` is one, by hand or by automatic differentiation; [`FiniteDifferences`] needs f alone. In a
+/// [`Simulation`](crate::simulation::Simulation) a closure does not see the input that is held, so there it fits plants whose ∂F/∂x and ∂F/∂t
+/// do not depend on it; differences fit all.
 pub trait Jacobian<T: Scalar, const N: usize> {
     /// The linearization about `at`, for steps of about `h` and a tolerance of `weights`.
     fn linearize(

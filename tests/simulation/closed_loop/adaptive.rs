@@ -140,6 +140,29 @@ fn every_period_starts_anew() {
     }
 }
 
+/// Evaluations of a pendulum in a second of 100 periods, with the one that measures ẋ at each of the 101 samples.
+fn evaluations(integrator: impl Propagator<f64, 2>) -> (u32, SVector<f64, 2>) {
+    let count = core::cell::Cell::new(0);
+    let pendulum = Pendulum::new(0.8, 0.5, 0.1, 9.81).unwrap();
+    let plant = Uncertain::matched(pendulum, |t: f64, _: &_, _: &_| {
+        count.set(count.get() + 1);
+        (3.0 * t).sin()
+    });
+    let simulation = Simulation::new(&plant, idle(), |t| t, [-0.5, 2.0], 0.01).unwrap();
+    let end = simulation.integrator(integrator).until(1.0).unwrap().last().unwrap().unwrap().x;
+    (count.get(), end)
+}
+
+/// A period shorter than a step within the tolerance costs two evaluations to start and six for the step, a fifth of ten steps of Rk4.
+#[test]
+fn a_short_period_takes_one_step() {
+    let (fixed, exact) = evaluations(Rk4);
+    assert_eq!(fixed, 100 * 40 + 101);
+    let (adaptive, end) = evaluations(within(DormandPrince, 1e-8));
+    assert_eq!(adaptive, 100 * 8 + 101);
+    approx::assert_abs_diff_eq!(end, exact, epsilon = 1e-7);
+}
+
 #[test]
 fn jumps_that_are_no_times_or_out_of_order_are_refused() {
     let chain = IntegratorChain::<f64, 2>::new();
