@@ -11,6 +11,7 @@ use crate::{
 ///
 /// [`solve`](Self::solve) starts on a problem and gives a [`Solver`]. In a [`Simulation`](crate::simulation::Simulation) it is an
 /// integrator like the others; there every period starts anew, so that what happens in it depends on its first state and its input alone.
+/// Where the period is short, [`with_first_step`](Self::with_first_step)(dt) tries it in one step.
 ///
 /// ```
 /// use brunovsky::integrators::{Adaptive, DormandPrince, Tolerance};
