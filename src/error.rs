@@ -29,6 +29,32 @@ pub enum Error {
         /// Its value.
         value: f64,
     },
+    /// A right-hand side that is NaN or infinite where an adaptive method stands.
+    #[error("f[{index}] = {value} at t = {time} is not finite")]
+    NonFiniteRate {
+        /// The time.
+        time: f64,
+        /// The entry, counted from 0.
+        index: usize,
+        /// Its value.
+        value: f64,
+    },
+    /// An adaptive method that finds no step within its tolerance: at a pole or a jump of the right-hand side, or where rounding alone is more.
+    #[error("no step from t = {time} is within the tolerance, down to {step}")]
+    StepTooSmall {
+        /// The time.
+        time: f64,
+        /// The step that is too small to change it.
+        step: f64,
+    },
+    /// An adaptive method that needs more steps than it was given.
+    #[error("more than {limit} steps, at t = {time}")]
+    TooManySteps {
+        /// The time reached.
+        time: f64,
+        /// The number of steps allowed.
+        limit: u64,
+    },
     /// A quantity that has to be greater than zero: a period, a width, a learning rate.
     #[error("{name} = {value} must be greater than 0")]
     NotPositive {

@@ -20,7 +20,7 @@
 //! |---|---|---|
 //! | [`differentiation`] | numbers that carry derivatives, or their own rounding error | – |
 //! | [`plant`] | what is controlled: three rungs of traits, plants by their equations, named plants, uncertainty | differentiation |
-//! | [`integrators`] | fixed-step methods for ẋ = f(t, x) | – |
+//! | [`integrators`] | ẋ = f(t, x) with fixed or adaptive steps, stiff or not; events | – |
 //! | [`fuzzy`] | membership functions, rule grid, network | – |
 //! | [`learning`] | sources of ė_n, adaptation rules, compensators, certificates | fuzzy |
 //! | [`actuator`] | saturation, rate limits | – |

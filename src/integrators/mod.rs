@@ -1,23 +1,41 @@
-//! Fixed-step integration of ẋ = f(t, x).
+//! Integration of ẋ = f(t, x): with fixed steps, with steps that follow from a tolerance, and up to events.
 //!
-//! | method | order | evaluations of f in a step |
-//! |---|---|---|
-//! | [`Euler`] | 1 | 1 |
-//! | [`Heun`] | 2 | 2 |
-//! | [`Rk4`] | 4 | 4 |
+//! | method | order | evaluations of f in a step | steps |
+//! |---|---|---|---|
+//! | [`Euler`] | 1 | 1 | equal |
+//! | [`Heun`] | 2 | 2 | equal |
+//! | [`Rk4`] | 4 | 4 | equal |
+//! | [`DormandPrince`] | 5(4) | 6 | equal or adaptive |
+//! | [`Rodas`] | 4(3), L-stable | 6, and the linearization of f | adaptive, for stiff problems |
 //!
-//! A method implements [`Integrator::step`], the bare formula, and states its order; [`Integrator::integrate`] repeats it and
+//! A fixed-step method implements [`Integrator::step`], the bare formula, and states its order; [`Integrator::integrate`] repeats it and
 //! checks what goes in and comes out.
+//!
+//! A method that estimates its error is [`Embedded`]. With a [`Tolerance`] it makes an [`Adaptive`] one, which starts a [`Solver`]: a run with
+//! dense output, times at which f jumps, and [`Events`].
+//!
+//! Both kinds are [`Propagator`]s, which is what a [simulation](crate::simulation) asks for.
 //!
 //! This module depends on nothing but [`Scalar`] and [`Error`].
 
+mod adaptive;
+mod dormand_prince;
 mod euler;
+mod events;
 mod heun;
+mod propagator;
 mod rk4;
+mod stiff;
 
+pub(crate) use adaptive::Discontinuities;
+pub use adaptive::{Adaptive, Attempt, Embedded, Point, Solver, Statistics, Tolerance};
+pub use dormand_prince::DormandPrince;
 pub use euler::Euler;
+pub use events::{Crossing, Direction, Events, Occurrence};
 pub use heun::Heun;
+pub use propagator::Propagator;
 pub use rk4::Rk4;
+pub use stiff::{FiniteDifferences, Jacobian, Linearization, Rodas};
 
 use nalgebra::SVector;
 

@@ -9,7 +9,7 @@ use crate::{
     Error, Scalar,
     controller::{Command, Controller, Measurement},
     error::{finite_vector, not_negative, positive},
-    integrators::{Integrator, Rk4},
+    integrators::{Discontinuities, Propagator, Rk4},
     plant::Plant,
     scalar::constant,
 };
@@ -18,12 +18,14 @@ use crate::{
 ///
 /// At sample k the time is t = k·dt, computed and never accumulated. The order within a sample is:
 ///
-/// 1. the plant is integrated from sample k−1 to k under the input of sample k−1 (zero-order hold), in `substeps` equal steps;
+/// 1. the plant is integrated from sample k−1 to k under the input of sample k−1 (zero-order hold), in `substeps` equal steps or in those
+///    that an [`Adaptive`](crate::integrators::Adaptive) method chooses;
 /// 2. the state is measured, together with ẋ just before the sample and the input it was under (0 before the first sample);
 /// 3. the reference is taken at t, the controller is updated, and its command is yielded as a [`Sample`].
 ///
 /// A disturbance that switches at a sampling instant acts from that instant on: the integration up to a sample sees times before it
-/// only, so the switch is not smeared over a step.
+/// only, so the switch is not smeared over a step. One that switches between samples is [declared](Self::discontinuities); the period is
+/// then integrated in the pieces before and after it.
 ///
 /// The iterator is infinite; [`until`](Self::until) ends it at a time. After an error it ends.
 ///
@@ -50,6 +52,7 @@ where
     reference: R,
     integrator: I,
     substeps: u32,
+    discontinuities: Discontinuities<'a, P::Scalar>,
     dt: P::Scalar,
     k: u64,
     x: SVector<P::Scalar, NX>,
@@ -103,6 +106,7 @@ where
             reference,
             integrator: Rk4,
             substeps: 10,
+            discontinuities: Discontinuities::default(),
             dt: positive("dt", dt)?,
             k: 0,
             x,
@@ -118,16 +122,21 @@ where
     P: Plant<NX, NU, Scalar = T>,
     C: Controller<NX, NU, Scalar = T>,
     R: FnMut(T) -> C::Reference,
-    I: Integrator,
+    I: Propagator<T, NX>,
 {
-    /// The same loop with another integration method.
-    pub fn integrator<J: Integrator>(self, integrator: J) -> Simulation<'a, P, C, R, NX, NU, J> {
+    /// The same loop with another integration method: [`Heun`](crate::integrators::Heun), or
+    /// `Adaptive::new(Rodas::new(), Tolerance::new(1e-6, 1e-9)?)`.
+    pub fn integrator<J>(self, integrator: J) -> Simulation<'a, P, C, R, NX, NU, J>
+    where
+        J: Propagator<T, NX>,
+    {
         Simulation {
             plant: self.plant,
             controller: self.controller,
             reference: self.reference,
             integrator,
             substeps: self.substeps,
+            discontinuities: self.discontinuities,
             dt: self.dt,
             k: self.k,
             x: self.x,
@@ -136,13 +145,23 @@ where
         }
     }
 
-    /// The same loop with `substeps` steps of the integrator in a period.
+    /// The same loop with `substeps` steps of the integrator in a period, or in each of its pieces; an adaptive one chooses its own.
     ///
     /// # Errors
     /// [`Error::NotPositive`] for 0.
     pub fn substeps(self, substeps: u32) -> Result<Self, Error> {
         positive("substeps", f64::from(substeps))?;
         Ok(Self { substeps, ..self })
+    }
+
+    /// The same loop with the `times` in seconds, in ascending order, at which the plant or its uncertainty jumps: to its value for t ≥ time.
+    ///
+    /// The method keeps its order there; a jump within a step that is not declared is smeared over it. Sampling instants need no declaration.
+    ///
+    /// # Errors
+    /// [`Error::NonFinite`] for a time, [`Error::NotBelow`] for two that do not ascend.
+    pub fn discontinuities(self, times: &'a [T]) -> Result<Self, Error> {
+        Ok(Self { discontinuities: Discontinuities::new(times)?, ..self })
     }
 
     /// The samples from here to the last one at or before the time `t_end` in seconds, give or take its rounding.
@@ -170,14 +189,11 @@ where
 
     fn sample(&mut self) -> Result<Sample<T, C::Reference, C::Command, NX, NU>, Error> {
         let t = self.time(self.k);
-        let before = t * (T::one() - T::default_epsilon());
-        let (plant, u) = (self.plant, self.u);
-        // The start has no "before": ẋ is taken at the start itself.
-        let field = |time: T, x: &SVector<T, NX>| plant.derivative(time.min(before), x, &u);
         if let Some(last) = self.k.checked_sub(1) {
-            let start = self.time(last);
-            self.x = self.integrator.integrate(field, start, &self.x, self.dt, self.substeps)?;
+            self.x = self.propagated(self.time(last), t)?;
         }
+        let u = self.u;
+        let field = held(self.plant, u, t);
         let measurement = Measurement::new(self.x).with_rate(field(t, &self.x)).with_applied(u);
         let reference = (self.reference)(t);
         let command = self.controller.update(&measurement, &reference, self.dt)?;
@@ -186,6 +202,27 @@ where
         self.k += 1;
         Ok(sample)
     }
+
+    /// The state after the period from `start` to `end`, in pieces over which the plant is smooth.
+    fn propagated(&self, start: T, end: T) -> Result<SVector<T, NX>, Error> {
+        let (mut t, mut x, mut left) = (start, self.x, self.dt);
+        while let Some(jump) = self.discontinuities.after(t).filter(|jump| *jump < end) {
+            let field = held(self.plant, self.u, jump);
+            x = self.integrator.propagate(field, t, &x, jump - t, self.substeps)?;
+            (t, left) = (jump, end - jump);
+        }
+        self.integrator.propagate(held(self.plant, self.u, end), t, &x, left, self.substeps)
+    }
+}
+
+/// ẋ = F(t, x, `u`) before `end`: later times are not shown. The start, 0, has no "before": ẋ is then taken at the start itself.
+fn held<T: Scalar, P: Plant<NX, NU, Scalar = T>, const NX: usize, const NU: usize>(
+    plant: &P,
+    u: SVector<T, NU>,
+    end: T,
+) -> impl Fn(T, &SVector<T, NX>) -> SVector<T, NX> {
+    let before = end * (T::one() - T::default_epsilon());
+    move |t, x| plant.derivative(t.min(before), x, &u)
 }
 
 /// Where the loop stands; a plant, a controller or a reference need not be printable.
@@ -211,7 +248,7 @@ where
     P: Plant<NX, NU, Scalar = T>,
     C: Controller<NX, NU, Scalar = T>,
     R: FnMut(T) -> C::Reference,
-    I: Integrator,
+    I: Propagator<T, NX>,
 {
     type Item = Result<Sample<T, C::Reference, C::Command, NX, NU>, Error>;
 
@@ -232,6 +269,6 @@ where
     P: Plant<NX, NU, Scalar = T>,
     C: Controller<NX, NU, Scalar = T>,
     R: FnMut(T) -> C::Reference,
-    I: Integrator,
+    I: Propagator<T, NX>,
 {
 }

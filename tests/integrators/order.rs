@@ -2,7 +2,7 @@
 
 use brunovsky::{
     Scalar,
-    integrators::{Euler, Heun, Integrator, Rk4},
+    integrators::{DormandPrince, Euler, Heun, Integrator, Rk4},
 };
 use nalgebra::SVector;
 use proptest::prelude::*;
@@ -56,6 +56,15 @@ const ROTATION: Problem<2> = Problem {
     duration: 1.5,
 };
 
+/// Linear: a damped oscillation in the plane, e^(−t/2) at 3 rad/s.
+const LINEAR: Problem<2> = Problem {
+    name: "damped oscillation",
+    f: |_, x| SVector::from([-0.5 * x[0] - 3.0 * x[1], 3.0 * x[0] - 0.5 * x[1]]),
+    exact: |t| SVector::from([(3.0 * t).cos(), (3.0 * t).sin()]) * (-0.5 * t).exp(),
+    from: 0.0,
+    duration: 2.0,
+};
+
 impl<const N: usize> Problem<N> {
     fn error<I: Integrator>(&self, method: &I, steps: u32) -> f64 {
         let start = (self.exact)(self.from);
@@ -64,14 +73,28 @@ impl<const N: usize> Problem<N> {
     }
 
     /// The error falls like hᵖ: log₂ of the quotient for h and h/2 is p + O(h).
-    fn confirms<I: Integrator>(&self, method: &I) {
-        let (coarse, fine) = (self.error(method, 320), self.error(method, 640));
+    fn confirms<I: Integrator>(&self, method: &I, steps: u32) {
+        let (coarse, fine) = (self.error(method, steps), self.error(method, 2 * steps));
         let (measured, stated) = ((coarse / fine).log2(), f64::from(I::ORDER));
         assert!(
             (measured - stated).abs() < 0.05,
             "{}: order {measured}, stated {stated}",
             self.name
         );
+    }
+}
+
+fn has_its_order<I: Integrator>(method: &I) {
+    if I::ORDER < 5 {
+        LOGISTIC.confirms(method, 320);
+        MODULATED.confirms(method, 320);
+        RATIONAL.confirms(method, 320);
+        ROTATION.confirms(method, 320);
+        LINEAR.confirms(method, 320);
+    } else {
+        // On the others the fifth-order term is so small that the sixth outweighs it until rounding does; there the order conditions
+        // have to do (order_conditions.rs).
+        LINEAR.confirms(method, 64);
     }
 }
 
@@ -109,11 +132,11 @@ fn is_exact_up_to_its_order<I: Integrator>(method: &I, coefficients: &[f64], fro
     let at_f32 = quadrature_error::<_, f32>(method, within, from, h);
     assert!(at_f64 <= 16.0 * f64::EPSILON * size, "{at_f64}");
     assert!(at_f32 <= 16.0 * f64::from(f32::EPSILON) * size, "{at_f32}");
-    // Of tᵖ⁺¹ the rectangle misses h², the trapezoid h³/2 and Simpson's rule h⁵/24.
+    // Of tᵖ⁺¹ the rectangle misses h², the trapezoid h³/2, Simpson's rule h⁵/24, and the weights of Dormand and Prince h⁶/900.
     let mut beyond = vec![0.0; degree + 2];
     beyond[degree + 1] = 1.0;
     let missed = quadrature_error::<_, f64>(method, &beyond, from, h);
-    assert!(missed > h.powi(I::ORDER + 1) / 25.0, "{missed}");
+    assert!(missed > h.powi(I::ORDER + 1) / 1000.0, "{missed}");
 }
 
 /// The tests of one method.
@@ -124,10 +147,7 @@ macro_rules! methods {
 
             #[test]
             fn the_measured_order_is_the_stated_one() {
-                LOGISTIC.confirms(&$method);
-                MODULATED.confirms(&$method);
-                RATIONAL.confirms(&$method);
-                ROTATION.confirms(&$method);
+                has_its_order(&$method);
             }
 
             proptest! {
@@ -146,4 +166,5 @@ methods! {
     euler: Euler,
     heun: Heun,
     rk4: Rk4,
+    dormand_prince: DormandPrince,
 }

@@ -1,5 +1,6 @@
 //! The sampled loop: hold, order of events, times, counts, failures.
 
+mod adaptive;
 mod failures;
 mod hold;
 mod measurements;

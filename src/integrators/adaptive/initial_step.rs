@@ -1,0 +1,34 @@
+use nalgebra::SVector;
+
+use super::{Point, tolerance::norm};
+use crate::{Scalar, scalar::constant};
+
+/// A first step for a method of order `order`, from the sizes of x, ẋ and ẍ in units of the tolerance, at most `longest`. It costs one
+/// evaluation of f.
+///
+/// # References
+/// E. Hairer, S. P. Nørsett, G. Wanner, *Solving Ordinary Differential Equations I*, II.4, "starting step size".
+pub(crate) fn initial_step<T: Scalar, const N: usize>(
+    mut f: impl FnMut(T, &SVector<T, N>) -> SVector<T, N>,
+    at: &Point<T, N>,
+    weights: &SVector<T, N>,
+    order: i32,
+    longest: Option<T>,
+) -> T {
+    let within = |h: T| longest.map_or(h, |longest| h.min(longest));
+    let (d0, d1) = (norm(&at.x, weights), norm(&at.rate, weights));
+    let small = constant(1e-5);
+    let h0 = if d0 < small || d1 < small { constant(1e-6) } else { d0 / d1 * constant(0.01) };
+    let h0 = within(h0);
+    let rate = f(at.t + h0, &(at.x + at.rate * h0));
+    let d2 = norm(&(rate - at.rate), weights) / h0;
+    let rate = d1.max(d2);
+    let h1 = if rate <= constant(1e-15) {
+        (h0 * constant(1e-3)).max(constant(1e-6))
+    } else {
+        (constant::<T>(0.01) / rate).powf(constant(1.0 / f64::from(order)))
+    };
+    let h = within(h1.min(h0 * constant(100.0)));
+    // Where ẍ is not finite, nothing is known but a step that is short.
+    if d2.is_finite() && h > T::zero() { h } else { h0 }
+}
