@@ -21,7 +21,8 @@
 //! | [`plant`] | what is controlled: three rungs of traits, named plants, uncertainty | – |
 //! | [`integrators`] | fixed-step methods for ẋ = f(t, x) | – |
 //! | [`fuzzy`] | membership functions, rule grid, network | – |
-//! | [`learning`] | sources of ė_n, adaptation rules, compensators, certificates | fuzzy |
+//! | [`differentiator`] | the rate of a sampled signal: differences, robust exact, high-gain, tracking | – |
+//! | [`learning`] | sources of ė_n, adaptation rules, compensators, certificates | fuzzy, differentiator |
 //! | [`actuator`] | saturation, rate limits | – |
 //! | [`controller`] | gains, feedback linearization, CLELC, decoupling, the unicycle | plant, learning, actuator |
 //! | [`elementary`] | sine, cosine, hypotenuse in the scalar's own precision | – |
@@ -43,6 +44,7 @@ pub mod hardware {}
 
 pub mod actuator;
 pub mod controller;
+pub mod differentiator;
 pub mod elementary;
 pub mod fuzzy;
 pub mod integrators;

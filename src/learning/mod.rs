@@ -37,14 +37,13 @@ mod sliding_mode;
 mod switching;
 mod watchdog;
 
+pub use crate::differentiator::{BackwardDifference, FilteredDifference};
 pub use antecedents::Antecedents;
 pub use bounded::Bounded;
 pub use certificate::Certificate;
 pub use closed_loop::ClosedLoop;
 pub use compensator::{Compensation, Compensator, NullCompensator};
-pub use error_rate::{
-    BackwardDifference, Conditional, ErrorRate, FilteredDifference, Measured, ModelAided,
-};
+pub use error_rate::{Conditional, ErrorRate, Measured, ModelAided, OfState};
 pub use gradient_descent::GradientDescent;
 pub use mode::LearningMode;
 pub use monitor::{Monitor, Verdict};

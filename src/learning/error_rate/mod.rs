@@ -1,14 +1,13 @@
-mod backward_difference;
 mod conditional;
-mod filtered_difference;
+mod differentiated;
 mod measured;
 mod model_aided;
+mod of_state;
 
-pub use backward_difference::BackwardDifference;
 pub use conditional::Conditional;
-pub use filtered_difference::FilteredDifference;
 pub use measured::Measured;
 pub use model_aided::ModelAided;
+pub use of_state::OfState;
 
 use super::ClosedLoop;
 use crate::Error;
