@@ -14,7 +14,8 @@ use crate::{
 ///
 /// * A step of height S is reached in 2·√(S/r) seconds and T, without overshoot: it is a filter against outliers and a generator of smooth
 ///   references too. It needs r > |ÿ|.
-/// * In the layer, x₂ is the rate of [`HighGain`] of first order with q = 1 − h/T: its delay is 2T − 3h/2.
+/// * In the layer, x₂ is the rate of [`HighGain`] of first order with q = 1 − h/T: its delay is 2T − 3h/2. That x₁ lags behind y by 2T − h seconds
+///   shows as an error of x₂ where the period jitters; the others have none on a ramp.
 ///
 /// At the first sample (x₁, x₂) = (y, 0).
 ///

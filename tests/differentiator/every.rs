@@ -30,11 +30,15 @@ trait Check<T: Scalar> {
 
 /// Every law, in every order, with parameters fit for signals of a few units and seconds.
 fn every<T: Scalar>(mut check: impl Check<T>) {
+    every_but_tracking(&mut check);
+    check.check(Tracking::new(real(40.0), real(0.25)).unwrap());
+}
+
+fn every_but_tracking<T: Scalar>(check: &mut impl Check<T>) {
     check.check(BackwardDifference::new());
     check.check(FilteredDifference::new(real(0.3)).unwrap());
     check.check(HighGain::first_order(real(4.0)).unwrap());
     check.check(HighGain::second_order(real(4.0)).unwrap());
-    check.check(Tracking::new(real(40.0), real(0.25)).unwrap());
     check.check(RobustExact::first_order(real(4.0)).unwrap());
     check.check(RobustExact::second_order(real(8.0)).unwrap());
     check.check(RobustExact::third_order(real(16.0)).unwrap());
@@ -159,7 +163,7 @@ fn after_a_reset_it_is_as_new<T: Scalar>() {
     every::<T>(Reset);
 }
 
-/// Of the start e^(−4·30) or less is left after 300 samples of 0.1 s, or nothing at all.
+/// Of the start e^(−4·30) or less is left after 300 samples of 0.1 s, or nothing at all. The lag of `Tracking` depends on the period.
 fn a_ramp_that_was_caught_stays_exact_while_the_period_varies<T: Scalar>() {
     struct Ramp;
     impl<T: Scalar> Check<T> for Ramp {
@@ -179,5 +183,5 @@ fn a_ramp_that_was_caught_stays_exact_while_the_period_varies<T: Scalar>() {
             }
         }
     }
-    every::<T>(Ramp);
+    every_but_tracking::<T>(&mut Ramp);
 }

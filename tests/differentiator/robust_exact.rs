@@ -284,7 +284,7 @@ fn a_bound_out_of_range_is_refused<T: Scalar>() {
     }
 }
 
-/// A period so short that L·hᴹ is no number any more: refused, as long as anything is to be corrected.
+/// A period so short that L·hᴹ is no number any more.
 #[test]
 fn a_period_below_the_range_of_the_scalar_is_refused() {
     let mut source = RobustExact::<f32, 4>::third_order(1.0).unwrap();
@@ -292,5 +292,4 @@ fn a_period_below_the_range_of_the_scalar_is_refused() {
     let before = source;
     assert!(matches!(source.update(1.0, 1e-30), Err(Error::NonFiniteEntry { .. })));
     assert_eq!(source, before);
-    assert_eq!(source.update(0.0, 1e-30), Ok(0.0));
 }

@@ -1,4 +1,4 @@
-use approx::{assert_abs_diff_eq, assert_relative_eq};
+use approx::assert_abs_diff_eq;
 use brunovsky::{
     Error, Scalar,
     differentiator::{Differentiator, HighGain, Tracking},
@@ -43,10 +43,11 @@ fn a_step_is_reached_in_the_least_time_without_overshoot() {
                 reached = Some(f64::from(k) * h);
             }
         }
-        // 99.9 % are reached √0.001·time/2 before the end; the layer costs a few T.
+        // 99.9 % are reached √0.001·time/2 before the end; the layer costs a few T, and up to one of acceleration.
         let reached = reached.unwrap();
         assert!((0.96 * time..time + 4.0 * 5.0 * h).contains(&reached), "{reached} of {time}");
-        assert_relative_eq!(peak, f64::sqrt(size * r), max_relative = 0.02);
+        let optimal = f64::sqrt(size * r);
+        assert!((optimal - r * 5.0 * h..optimal + r * h).contains(&peak), "{peak} of {optimal}");
     }
 }
 
@@ -56,7 +57,7 @@ fn the_acceleration_stays_within_its_limit<T: Scalar>() {
         let mut source = Tracking::new(real(r), real(0.1)).unwrap();
         for (y, dt) in samples {
             let rate: T = source.update(real(y), real(dt)).unwrap();
-            prop_assert!((rate - last).abs() <= real::<T>(r * dt) + rate.abs() * ulps(4.0));
+            prop_assert!((rate - last).abs() <= real::<T>(r * dt) + (rate.abs() + last.abs()) * ulps(4.0));
             last = rate;
         }
     });
