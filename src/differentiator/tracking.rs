@@ -17,6 +17,8 @@ use crate::{
 /// * In the layer, x₂ is the rate of [`HighGain`] of first order with q = 1 − h/T: its delay is 2T − 3h/2. That x₁ lags behind y by 2T − h seconds
 ///   shows as an error of x₂ where the period jitters; the others have none on a ramp.
 ///
+/// * Beyond the layer, where |ẏ| > r·T, it lags by |ẏ|/(2r) seconds: it only goes as fast as it can still brake for y.
+///
 /// At the first sample (x₁, x₂) = (y, 0).
 ///
 /// The linear tracking differentiator is the same without the limit r; take [`HighGain`] for it, whose poles are exact at every dt.

@@ -72,6 +72,22 @@ fn on_a_ramp_nothing_chatters() {
     }
 }
 
+/// Able to stop at y at any time: x₁ is v²/(2r) behind on a ramp of slope v > r·T, where the layer shifts that by a few T.
+#[test]
+fn on_a_steep_ramp_it_keeps_the_distance_to_brake() {
+    let (h, r) = (1e-4, 4.0);
+    for slope in [0.5, 2.0] {
+        let mut source = Tracking::new(r, 2.0 * h).unwrap();
+        for k in 0..100_000_u32 {
+            source.update(slope * f64::from(k) * h, h).unwrap();
+        }
+        let (followed, rate) = source.estimates().unwrap();
+        let behind = slope * 99_999.0 * h - followed;
+        assert_abs_diff_eq!(rate, slope, epsilon = 1e-9);
+        assert_abs_diff_eq!(behind, slope * slope / (2.0 * r), epsilon = 6.0 * h * slope);
+    }
+}
+
 #[test]
 fn for_noise_it_is_as_wide_as_the_high_gain_observer() {
     let (noise, bound, h) = (0.02, 5.0, 1e-3);

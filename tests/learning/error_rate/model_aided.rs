@@ -121,7 +121,8 @@ fn the_uncertainty_is_the_rate_of_what_the_model_does_not_explain<T: Scalar>() {
             let mut last: Option<(f64, f64)> = None;
             for (dt, [x_n, drift, gain, u]) in linear_model(&periods, delta) {
                 let (from, b) = last.replace((drift, gain)).unwrap_or((drift, gain));
-                explained += if last.is_some() { 0.5 * dt * (from + drift + (b + gain) * u) } else { 0.0 };
+                // Before the first sample any number does.
+                explained += 0.5 * dt * (from + drift + (b + gain) * u);
                 let s = source.error_rate(&sample(x_n, drift, gain, u, 2.0), real(0.5), real(dt)).unwrap();
                 let rate = alone.update(real(x_n - explained), real(dt)).unwrap();
                 // As above, times what is remembered.
@@ -143,12 +144,9 @@ fn with_a_high_gain_observer_it_is_the_extended_state_observer<T: Scalar>() {
     let mut source = ModelAided::through(HighGain::first_order(real::<T>(omega)).unwrap());
     let (mut x_hat, mut delta_hat) = (0.0, 0.0);
     let mut last: Option<(f64, f64)> = None;
-    for (dt, [x_n, drift, gain, u]) in linear_model(&inputs, 2.5).into_iter() {
+    for (dt, [x_n, drift, gain, u]) in linear_model(&inputs, 2.5) {
         match last.replace((drift, gain)) {
-            None => {
-                // The first period of the samples is another.
-                x_hat = x_n;
-            }
+            None => x_hat = x_n,
             Some((a, b)) => {
                 x_hat += dt * (0.5 * (a + drift) + 0.5 * (b + gain) * u + delta_hat);
                 let surprise = x_n - x_hat;
