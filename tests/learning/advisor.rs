@@ -90,8 +90,7 @@ fn differenced_noise_counts_for_a_little_more() {
 /// Where nothing but noise is to be seen it says so.
 #[test]
 fn noise_alone_is_not_taken_for_a_clear_rate() {
-    let mut normal = normal();
-    let advice = advice(|_| 3.0, || normal());
+    let advice = advice(|_| 3.0, normal());
     assert!(!advice.resolved(), "{advice}");
     assert_relative_eq!(advice.noise(), 1.0, max_relative = 0.1);
 }

@@ -90,7 +90,7 @@ impl<T: Scalar> Advisor<T> {
     /// [`Error::Length`] for fewer than 22 samples, [`Error::Singular`] if Δ never moved: any α is then as good as any other.
     pub fn recommend(&self) -> Result<Recommendation<T>, Error> {
         let chosen = self.scales.clearest()?;
-        let noise = self.scales.bend() / constant(NORMAL * 6.0_f64.sqrt());
+        let noise = self.scales.bend() / (constant::<T>(NORMAL) * constant::<T>(6.0).sqrt());
         let window = constant::<T>(chosen.periods) * self.dt;
         let bound = chosen.step / window;
         if bound.is_zero() {

@@ -1,5 +1,5 @@
 use super::ErrorRate;
-use crate::{Error, differentiator::Differentiator, learning::ClosedLoop};
+use crate::{Error, differentiator::Differentiator, error::finite, learning::ClosedLoop};
 
 /// Any [`Differentiator`] is a source of ė_n: it differentiates e_n.
 impl<D: Differentiator, const N: usize> ErrorRate<D::Scalar, N> for D {
@@ -9,6 +9,6 @@ impl<D: Differentiator, const N: usize> ErrorRate<D::Scalar, N> for D {
         _u_n: D::Scalar,
         dt: D::Scalar,
     ) -> Result<D::Scalar, Error> {
-        self.update(at.e[N - 1], dt)
+        self.update(finite("e_n", at.e[N - 1])?, dt)
     }
 }

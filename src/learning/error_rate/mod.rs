@@ -42,6 +42,6 @@ pub trait ErrorRate<T, const N: usize> {
     /// ė_n at this sample, where `u_n` is the learned term as it stands and `dt > 0` the time since the sample before.
     ///
     /// # Errors
-    /// [`Error::Missing`] if the source needs a measurement that was not given.
+    /// [`Error::Missing`] if the source needs a measurement that was not given, and those of a [`Differentiator`].
     fn error_rate(&mut self, at: &ClosedLoop<T, N>, u_n: T, dt: T) -> Result<T, Error>;
 }

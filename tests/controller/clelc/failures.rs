@@ -158,7 +158,7 @@ fn a_rate_that_is_not_measured_is_missing() {
 }
 
 #[test]
-fn a_difference_quotient_beyond_the_range_is_an_error_of_s() {
+fn a_difference_quotient_beyond_the_range_is_an_error_of_the_rate() {
     // (e₂(1) − e₂(0))/dt = −1/1e-310.
     for error in [
         refused(
@@ -173,7 +173,7 @@ fn a_difference_quotient_beyond_the_range_is_an_error_of_s() {
         ),
         refused(controller(ModelAided::new(), 5.0, Antecedents::flow()), [0.0, 2.0], 1e-310),
     ] {
-        assert!(matches!(error, Error::NonFinite { name: "s", .. }), "{error}");
+        assert!(matches!(error, Error::NonFinite { name: "rate of y", .. }), "{error}");
     }
 }
 
