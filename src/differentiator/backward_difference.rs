@@ -20,7 +20,7 @@ impl<T: Scalar> Differentiator for BackwardDifference<T> {
     type Scalar = T;
 
     fn update_beyond(&mut self, y: T, known: T, dt: T) -> Result<T, Error> {
-        validated(y, known, dt)?;
+        validated("y/dt", y, known, dt, dt)?;
         let last = self.last.map_or(y, |last| last + known);
         let rate = finite("rate of y", (y - last) / dt)?;
         self.last = Some(y);

@@ -14,6 +14,11 @@ impl<T: Scalar, const M: usize> Chain<T, M> {
         Self(z)
     }
 
+    /// What a difference in y is divided by at most: dtⁿ for the last derivative, or dt if that is less.
+    pub fn span(dt: T) -> T {
+        dt.powi(M as i32 - 1).min(dt)
+    }
+
     /// What the estimates become over `dt` if the last derivative stays as it is: zᵢ ← Σ_j zᵢ₊ⱼ·dtʲ/j!, and z₀ moves by `known` besides.
     pub fn predicted(self, known: T, dt: T) -> Self {
         let Self(mut z) = self;

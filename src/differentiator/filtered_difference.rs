@@ -49,9 +49,11 @@ impl<T: Scalar> Differentiator for FilteredDifference<T> {
     type Scalar = T;
 
     fn update_beyond(&mut self, y: T, known: T, dt: T) -> Result<T, Error> {
-        validated(y, known, dt)?;
+        let span = self.time_constant + dt;
+        validated("y/(tau + dt)", y, known, dt, span)?;
         let last = self.last.map_or(y, |last| last + known);
-        let rate = (self.time_constant * self.rate + (y - last)) / (self.time_constant + dt);
+        // The quotients first: τ·ẏ may leave the range where ẏ does not.
+        let rate = self.time_constant / span * self.rate + (y - last) / span;
         self.rate = finite("rate of y", rate)?;
         self.last = Some(y);
         Ok(rate)

@@ -61,7 +61,7 @@ pub use tracking::Tracking;
 
 use crate::{
     Error, Scalar,
-    error::{finite, positive},
+    error::{finite, positive, remembered},
 };
 
 /// Finds the rate of a signal from its samples.
@@ -77,8 +77,9 @@ pub trait Differentiator {
     /// seconds since the sample before. It is as if every sample so far had been greater by `known`.
     ///
     /// # Errors
-    /// [`Error::NotPositive`] or [`Error::NonFinite`] for `dt`, [`Error::NonFinite`] for a sample or a known change that is not finite or
-    /// an estimate that leaves the range of the scalar. The differentiator is then as before.
+    /// [`Error::NotPositive`] or [`Error::NonFinite`] for `dt`, [`Error::NonFinite`] for a sample or a known change that is not finite, or so large
+    /// that the differences with it would leave the range of the scalar, and [`Error::NonFiniteEntry`] for estimates that do. The differentiator is
+    /// then as before.
     fn update_beyond(
         &mut self,
         y: Self::Scalar,
@@ -98,10 +99,12 @@ pub trait Differentiator {
     fn reset(&mut self);
 }
 
-/// What every differentiator refuses.
-fn validated<T: Scalar>(y: T, known: T, dt: T) -> Result<(), Error> {
+/// What every differentiator refuses: also a sample that is so large that its differences over `span`, which `name` names, leave the range of `T`.
+fn validated<T: Scalar>(name: &'static str, y: T, known: T, dt: T, span: T) -> Result<(), Error> {
     finite("y", y)?;
     finite("known change of y", known)?;
     positive("dt", dt)?;
+    remembered(name, y, span)?;
+    remembered(name, known, span)?;
     Ok(())
 }

@@ -128,7 +128,7 @@ impl<T: Scalar, const M: usize> Differentiator for RobustExact<T, M> {
     type Scalar = T;
 
     fn update_beyond(&mut self, y: T, known: T, dt: T) -> Result<T, Error> {
-        validated(y, known, dt)?;
+        validated("y/dt^n", y, known, dt, Chain::<T, M>::span(dt))?;
         let next = match self.state {
             None => Chain::at_rest(y),
             Some(last) => {

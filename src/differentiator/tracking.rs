@@ -81,7 +81,7 @@ impl<T: Scalar> Differentiator for Tracking<T> {
     type Scalar = T;
 
     fn update_beyond(&mut self, y: T, known: T, dt: T) -> Result<T, Error> {
-        validated(y, known, dt)?;
+        validated("y/dt", y, known, dt, dt)?;
         let (x1, x2) = match self.state {
             None => (y, T::zero()),
             Some((x1, x2)) => {

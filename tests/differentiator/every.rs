@@ -13,6 +13,7 @@ use crate::support::{NOT_FINITE, cases, real, rng, ulps};
 
 in_both_precisions! {
     a_bad_sample_is_refused_and_changes_nothing,
+    an_outlier_is_refused_or_does_not_silence_what_follows,
     a_signal_at_rest_has_no_rate_and_the_first_sample_none_either,
     a_signal_turned_over_has_the_opposite_rate,
     what_is_known_of_a_signal_does_not_appear_in_its_rate,
@@ -92,6 +93,32 @@ fn a_bad_sample_is_refused_and_changes_nothing<T: Scalar>() {
         }
     }
     every::<T>(Refusal);
+}
+
+/// Numbers of any size: after whatever was taken, small samples are.
+fn an_outlier_is_refused_or_does_not_silence_what_follows<T: Scalar>() {
+    struct Outlier;
+    impl<T: Scalar> Check<T> for Outlier {
+        fn check<D: Differentiator<Scalar = T> + Clone + PartialEq + core::fmt::Debug>(
+            &mut self,
+            new: D,
+        ) {
+            let mut used = new.clone();
+            feed(&mut used, wave);
+            let largest = T::max_value().unwrap();
+            for source in [new, used] {
+                for shrink in 0..60 {
+                    let outlier = largest * real(0.25_f64.powi(shrink));
+                    let mut source = source.clone();
+                    let _ = source.update(outlier, real(0.1));
+                    for y in [1.0, -1.0, 0.5] {
+                        source.update(real(y), real(0.1)).unwrap();
+                    }
+                }
+            }
+        }
+    }
+    every::<T>(Outlier);
 }
 
 fn a_signal_at_rest_has_no_rate_and_the_first_sample_none_either<T: Scalar>() {

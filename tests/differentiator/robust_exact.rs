@@ -284,12 +284,12 @@ fn a_bound_out_of_range_is_refused<T: Scalar>() {
     }
 }
 
-/// A period so short that L·hᴹ is no number any more.
+/// A period so short that hⁿ is no number any more.
 #[test]
 fn a_period_below_the_range_of_the_scalar_is_refused() {
     let mut source = RobustExact::<f32, 4>::third_order(1.0).unwrap();
     source.update(0.0, 0.1).unwrap();
     let before = source;
-    assert!(matches!(source.update(1.0, 1e-30), Err(Error::NonFiniteEntry { .. })));
+    assert!(matches!(source.update(1.0, 1e-30), Err(Error::NonFinite { name: "y/dt^n", .. })));
     assert_eq!(source, before);
 }

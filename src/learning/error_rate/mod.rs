@@ -3,11 +3,13 @@ mod differentiated;
 mod measured;
 mod model_aided;
 mod of_state;
+mod redundant;
 
 pub use conditional::Conditional;
 pub use measured::Measured;
 pub use model_aided::ModelAided;
 pub use of_state::OfState;
+pub use redundant::Redundant;
 
 use super::ClosedLoop;
 use crate::Error;
@@ -28,6 +30,8 @@ use crate::differentiator::{BackwardDifference, Differentiator};
 ///
 /// Which differentiator at which noise is told, with numbers, in [`differentiator`](crate::differentiator).
 ///
+/// [`Redundant`] takes a second source where the first lacks its measurement.
+///
 /// # Saturated actuators
 /// A difference takes the input that did not arrive for uncertainty, and what is learned from it winds up. Three remedies: [`ModelAided`] counts
 /// only the input that arrived; [`Conditional`] stops learning where it pushes into the limit; [`Bounded`](super::Bounded) limits u_n. The
@@ -42,6 +46,7 @@ pub trait ErrorRate<T, const N: usize> {
     /// ė_n at this sample, where `u_n` is the learned term as it stands and `dt > 0` the time since the sample before.
     ///
     /// # Errors
-    /// [`Error::Missing`] if the source needs a measurement that was not given, and those of a [`Differentiator`].
+    /// [`Error::Missing`] if the source needs a measurement that was not given, and those of a [`Differentiator`]: [`Error::NonFinite`] for a sample so
+    /// large that the next difference with it would leave the range of `T`, too.
     fn error_rate(&mut self, at: &ClosedLoop<T, N>, u_n: T, dt: T) -> Result<T, Error>;
 }

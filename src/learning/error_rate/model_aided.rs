@@ -52,9 +52,10 @@ impl<T: Scalar, D: Differentiator<Scalar = T>, const N: usize> ErrorRate<T, N>
     fn error_rate(&mut self, at: &ClosedLoop<T, N>, u_n: T, dt: T) -> Result<T, Error> {
         let now = Model { drift: at.drift, gain: at.gain };
         let last = self.last.unwrap_or(now);
-        let rates = last.drift + now.drift + (last.gain + now.gain) * at.u;
-        let known = rates * dt * constant(0.5);
-        let uncertainty = self.differentiator.update_beyond(at.x[N - 1], known, dt)?;
+        // Halves first: a sum of two may leave the range where their mean does not.
+        let mean = |a: T, b: T| a * constant(0.5) + b * constant(0.5);
+        let predicted = mean(last.drift, now.drift) + mean(last.gain, now.gain) * at.u;
+        let uncertainty = self.differentiator.update_beyond(at.x[N - 1], predicted * dt, dt)?;
         self.last = Some(now);
         Ok(-at.u_b - u_n - uncertainty)
     }

@@ -4,11 +4,12 @@ use brunovsky::{
 };
 use proptest::prelude::*;
 
-use crate::support::{NOT_FINITE, cases, quiet, real};
+use crate::support::{NOT_FINITE, at_error, cases, quiet, real};
 
 in_both_precisions! {
     it_stops_where_learning_pushes_into_the_limit_and_only_there,
     a_tolerance_out_of_range_is_refused,
+    a_rate_beyond_the_range_is_refused_and_not_replaced,
 }
 
 /// s = −(u_n + Δ) by the source inside. It stays, unless more than the tolerance is missing of what was asked for and u_n would go the
@@ -34,6 +35,23 @@ fn it_stops_where_learning_pushes_into_the_limit_and_only_there<T: Scalar>() {
         let stopped = missing.abs() > tolerance && missing.signum() != s.signum();
         prop_assert_eq!(found, if stopped { -at.u_b } else { free });
     });
+}
+
+/// A source that answers with a rate beyond the range.
+struct Endless;
+
+impl<T: Scalar> ErrorRate<T, 2> for Endless {
+    fn error_rate(&mut self, at: &ClosedLoop<T, 2>, _: T, _: T) -> Result<T, Error> {
+        Ok(at.e[1] / T::zero())
+    }
+}
+
+/// Were the infinite rate replaced where learning pushes into the limit, a source with memory would keep it and answer nothing any more.
+fn a_rate_beyond_the_range_is_refused_and_not_replaced<T: Scalar>() {
+    let mut source = Conditional::new(Endless, T::zero()).unwrap();
+    let at = ClosedLoop { u: T::one(), ..at_error(-T::one()) };
+    let error = source.error_rate(&at, T::zero(), T::one());
+    assert!(matches!(error, Err(Error::NonFinite { name: "rate of e_n", .. })), "{error:?}");
 }
 
 fn a_tolerance_out_of_range_is_refused<T: Scalar>() {

@@ -3,3 +3,4 @@ mod differentiated;
 mod measured;
 mod model_aided;
 mod of_state;
+mod redundant;
