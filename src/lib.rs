@@ -22,7 +22,8 @@
 //! | [`plant`] | what is controlled: three rungs of traits, plants by their equations, named plants, uncertainty | differentiation |
 //! | [`integrators`] | ẋ = f(t, x) with fixed or adaptive steps, stiff or not; events | – |
 //! | [`fuzzy`] | membership functions, rule grid, network | – |
-//! | [`learning`] | sources of ė_n, adaptation rules, compensators, certificates | fuzzy |
+//! | [`differentiator`] | the rate of a sampled signal: differences, robust exact, high-gain, tracking | – |
+//! | [`learning`] | sources of ė_n, adaptation rules, compensators, certificates | fuzzy, differentiator |
 //! | [`actuator`] | saturation, rate limits | – |
 //! | [`controller`] | gains, feedback linearization, CLELC, decoupling, the unicycle | plant, learning, actuator |
 //! | [`elementary`] | sine, cosine, hypotenuse in the scalar's own precision | – |
@@ -45,6 +46,7 @@ pub mod hardware {}
 pub mod actuator;
 pub mod controller;
 pub mod differentiation;
+pub mod differentiator;
 pub mod elementary;
 pub mod fuzzy;
 pub mod integrators;

@@ -9,19 +9,21 @@
 //!
 //! | piece | what it decides | choices |
 //! |---|---|---|
-//! | [`ErrorRate`] | where ė_n comes from | [`Measured`], [`BackwardDifference`], [`FilteredDifference`], [`ModelAided`]; [`Conditional`] around any, [`Redundant`] around two |
+//! | [`ErrorRate`] | where ė_n comes from | [`Measured`], [`ModelAided`], any [`Differentiator`](crate::differentiator::Differentiator) of e_n, [`OfState`]; [`Conditional`] around any, [`Redundant`] around two |
 //! | [`AdaptationRule`] | how the network moves | [`SlidingMode`], [`GradientDescent`], [`NullRule`]; [`Bounded`] around any |
 //! | [`Switching`] | how sgn(s) is discretized | `Explicit`, `Implicit`, `SetValued` |
 //! | [`Antecedents`] | whether the memberships move | `Fixed`, `Flow` |
 //! | [`Compensator`] | all of it together: e, u_b, … ↦ u_n | [`NeuroFuzzy`], [`NullCompensator`]; [`Guarded`] around any |
 //! | [`LearningMode`] | whether u_n is learned, and whether it is used | `Off`, `Frozen`, `Active` |
 //! | [`Certificate`] | what theory promises | |
+//! | [`Advisor`] | which α and δ, from a record of s | [`Recommendation`] |
 //! | [`Monitor`], [`Watchdog`] | whether it holds: at each sample, and for how long not | |
 //!
 //! Signs as everywhere: e = r − x. Units: s, u_b, u_f, u_n and Δ have those of ẋ_n; α those of ẋ_n per second.
 //!
-//! This module depends on [`fuzzy`](crate::fuzzy) and knows nothing of controllers.
+//! This module depends on [`fuzzy`](crate::fuzzy) and [`differentiator`](crate::differentiator), and knows nothing of controllers.
 
+mod advisor;
 mod antecedents;
 mod bounded;
 mod certificate;
@@ -38,14 +40,14 @@ mod sliding_mode;
 mod switching;
 mod watchdog;
 
+pub use crate::differentiator::{BackwardDifference, FilteredDifference};
+pub use advisor::{Advisor, Recommendation};
 pub use antecedents::Antecedents;
 pub use bounded::Bounded;
 pub use certificate::Certificate;
 pub use closed_loop::ClosedLoop;
 pub use compensator::{Compensation, Compensator, NullCompensator};
-pub use error_rate::{
-    BackwardDifference, Conditional, ErrorRate, FilteredDifference, Measured, ModelAided, Redundant,
-};
+pub use error_rate::{Conditional, ErrorRate, Measured, ModelAided, OfState, Redundant};
 pub use gradient_descent::GradientDescent;
 pub use guarded::Guarded;
 pub use mode::LearningMode;

@@ -4,6 +4,7 @@
 #[path = "../common/laws.rs"]
 mod laws;
 
+mod advisor;
 mod antecedents;
 mod bounded;
 mod certificate;

@@ -1,19 +1,20 @@
-mod backward_difference;
 mod conditional;
-mod filtered_difference;
+mod differentiated;
 mod measured;
 mod model_aided;
+mod of_state;
 mod redundant;
 
-pub use backward_difference::BackwardDifference;
 pub use conditional::Conditional;
-pub use filtered_difference::FilteredDifference;
 pub use measured::Measured;
 pub use model_aided::ModelAided;
+pub use of_state::OfState;
 pub use redundant::Redundant;
 
 use super::ClosedLoop;
 use crate::Error;
+#[cfg(doc)]
+use crate::differentiator::{BackwardDifference, Differentiator};
 
 /// The source of ė_n, the rate of the last error: what makes s = ė_n + u_b known.
 ///
@@ -23,9 +24,11 @@ use crate::Error;
 /// | source | needs | ė_n at sample k | delay | first sample |
 /// |---|---|---|---|---|
 /// | [`Measured`] | a sensor for ẋ_n | exact | 0 | exact |
-/// | [`BackwardDifference`] | nothing | (e_n(k) − e_n(k−1))/dt | dt/2 | 0 |
-/// | [`FilteredDifference`] | nothing | the same through 1/(τp + 1) | dt/2 + τ | 0 |
-/// | [`ModelAided`] | the model | −u_b − u_n − Δ̂, Δ̂ the mean uncertainty of the last period | dt/2 | −u_b − u_n |
+/// | any [`Differentiator`], such as [`BackwardDifference`] | nothing | its rate of e_n | its own, dt/2 | 0 |
+/// | [`OfState`] around one | ṙ_n | u_f − its rate of x_n | its own | u_f |
+/// | [`ModelAided`] through one | the model | −u_b − u_n − Δ̂, Δ̂ its rate of what the model leaves of x_n | its own, dt/2 by default | −u_b − u_n |
+///
+/// Which differentiator at which noise is told, with numbers, in [`differentiator`](crate::differentiator).
 ///
 /// [`Redundant`] takes a second source where the first lacks its measurement.
 ///
@@ -36,14 +39,14 @@ use crate::Error;
 /// `Bounded` never diverge there, and match the plain difference where that one works. `ModelAided` with a boundary layer of δ = 2 m/s² is
 /// the recommendation: it has no bound to choose, and stays better than feedback alone everywhere in the table.
 ///
-/// The differences multiply noise on x_n by 1/dt; the filter trades that against delay. A difference looks back at the period
-/// before the sample, the feedback u_b at the sample itself, so in a fast transient they make s differ from −(u_n + Δ) by the
-/// motion of u_b over half a period; [`ModelAided`] removes that.
+/// A difference multiplies noise on x_n by 1/dt; filters trade that against delay. A differentiator of e_n looks back over its delay, the
+/// feedback u_b at the sample itself, so in a fast transient they make s differ from −(u_n + Δ) by the motion of u_b over that time;
+/// [`ModelAided`] removes that.
 pub trait ErrorRate<T, const N: usize> {
     /// ė_n at this sample, where `u_n` is the learned term as it stands and `dt > 0` the time since the sample before.
     ///
     /// # Errors
-    /// [`Error::Missing`] if the source needs a measurement that was not given; [`Error::NonFinite`] for a sample so large that the next
-    /// difference with it would leave the range of `T`.
+    /// [`Error::Missing`] if the source needs a measurement that was not given, and those of a [`Differentiator`]: [`Error::NonFinite`] for a sample so
+    /// large that the next difference with it would leave the range of `T`, too.
     fn error_rate(&mut self, at: &ClosedLoop<T, N>, u_n: T, dt: T) -> Result<T, Error>;
 }

@@ -1,25 +1,33 @@
 use super::ErrorRate;
-use crate::{Error, Scalar, error::remembered, learning::ClosedLoop, scalar::constant};
+use crate::{
+    Error, Scalar,
+    differentiator::{BackwardDifference, Differentiator},
+    learning::ClosedLoop,
+    scalar::constant,
+};
 
-/// ė_n from the nominal model and the applied input, corrected by what the last period showed of the uncertainty.
+/// ė_n from the nominal model and the applied input, corrected by what x_n shows of the uncertainty: a disturbance observer.
 ///
-/// Over the last period, under the input u that the plant really received, the model predicts a mean ẋ_n of
-/// ½·((a + b·u)(k−1) + (a + b·u)(k)); the difference (x_n(k) − x_n(k−1))/dt shows the true one. What is left over is Δ̂, the mean
-/// uncertainty of that period up to O(dt²), and
+/// Over the last period, under the input u that the plant really received, the model explains a change of x_n by
+/// ½·dt·((a + b·u)(k−1) + (a + b·u)(k)). A [`Differentiator`] finds the rate Δ̂ of the rest, and
 ///
 /// ė_n = −u_b − u_n − Δ̂, hence s = −(u_n + Δ̂).
+///
+/// By default it is the [`BackwardDifference`], and Δ̂ the mean uncertainty of the last period up to O(dt²). Behind noise, take one that
+/// filters: with [`HighGain`](crate::differentiator::HighGain) it is the extended state observer. Its delay is not in the loop that learns,
+/// because Δ̂ does not depend on u_n; a late e_n does.
 ///
 /// Without Δ̂ the model alone would give s = −u_n, which forgets and learns nothing. At the first sample Δ̂ = 0.
 ///
 /// Neither a transient of the feedback nor a saturated actuator appears in s, provided that the applied input is reported.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub struct ModelAided<T> {
-    last: Option<Sample<T>>,
+pub struct ModelAided<T, D = BackwardDifference<T>> {
+    differentiator: D,
+    last: Option<Model<T>>,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-struct Sample<T> {
-    x_n: T,
+struct Model<T> {
     drift: T,
     gain: T,
 }
@@ -27,23 +35,28 @@ struct Sample<T> {
 impl<T> ModelAided<T> {
     /// A source that has seen no sample yet.
     pub const fn new() -> Self {
-        Self { last: None }
+        Self::through(BackwardDifference::new())
     }
 }
 
-impl<T: Scalar, const N: usize> ErrorRate<T, N> for ModelAided<T> {
+impl<T, D> ModelAided<T, D> {
+    /// The same with Δ̂ through another `differentiator`.
+    pub const fn through(differentiator: D) -> Self {
+        Self { differentiator, last: None }
+    }
+}
+
+impl<T: Scalar, D: Differentiator<Scalar = T>, const N: usize> ErrorRate<T, N>
+    for ModelAided<T, D>
+{
     fn error_rate(&mut self, at: &ClosedLoop<T, N>, u_n: T, dt: T) -> Result<T, Error> {
-        let x_n = remembered("x_n/dt", at.x[N - 1], dt)?;
-        let now = Sample { x_n, drift: at.drift, gain: at.gain };
-        let uncertainty = match self.last.replace(now) {
-            None => T::zero(),
-            Some(last) => {
-                // Halves first: a sum of two may leave the range where their mean does not.
-                let mean = |a: T, b: T| a * constant(0.5) + b * constant(0.5);
-                let predicted = mean(last.drift, now.drift) + mean(last.gain, now.gain) * at.u;
-                (now.x_n - last.x_n) / dt - predicted
-            }
-        };
+        let now = Model { drift: at.drift, gain: at.gain };
+        let last = self.last.unwrap_or(now);
+        // Halves first: a sum of two may leave the range where their mean does not.
+        let mean = |a: T, b: T| a * constant(0.5) + b * constant(0.5);
+        let predicted = mean(last.drift, now.drift) + mean(last.gain, now.gain) * at.u;
+        let uncertainty = self.differentiator.update_beyond(at.x[N - 1], predicted * dt, dt)?;
+        self.last = Some(now);
         Ok(-at.u_b - u_n - uncertainty)
     }
 }

@@ -162,10 +162,13 @@ fn a_difference_quotient_beyond_the_range_is_named() {
     let (flow, filter) = (Antecedents::flow(), FilteredDifference::new(0.0).unwrap());
     // −2/1e-310; in the last one the difference alone is beyond the range, 1/1e-310.
     for (error, expected) in [
-        (refused(controller(BackwardDifference::new(), 5.0, flow), [0.0, 2.0], 1e-310), "e_n/dt"),
-        (refused(controller(filter, 5.0, flow), [0.0, 2.0], 1e-310), "e_n/(tau + dt)"),
-        (refused(controller(ModelAided::new(), 5.0, flow), [0.0, 2.0], 1e-310), "x_n/dt"),
-        (refused(controller(BackwardDifference::new(), 5.0, flow), [0.0, 1e-10], 1e-310), "s"),
+        (refused(controller(BackwardDifference::new(), 5.0, flow), [0.0, 2.0], 1e-310), "y/dt"),
+        (refused(controller(filter, 5.0, flow), [0.0, 2.0], 1e-310), "y/(tau + dt)"),
+        (refused(controller(ModelAided::new(), 5.0, flow), [0.0, 2.0], 1e-310), "y/dt"),
+        (
+            refused(controller(BackwardDifference::new(), 5.0, flow), [0.0, 1e-10], 1e-310),
+            "rate of y",
+        ),
     ] {
         assert!(
             matches!(error, Error::NonFinite { name, .. } if name == expected),

@@ -1,6 +1,7 @@
 use approx::assert_abs_diff_eq;
 use brunovsky::{
     Scalar,
+    differentiator::{Differentiator, FilteredDifference, HighGain, RobustExact, Tracking},
     learning::{ClosedLoop, ErrorRate, ModelAided},
 };
 use proptest::prelude::*;
@@ -11,6 +12,8 @@ in_both_precisions! {
     a_constant_uncertainty_under_a_linear_model_is_found_exactly,
     an_input_that_is_not_reported_is_taken_for_uncertainty,
     the_first_sample_knows_of_no_uncertainty,
+    the_uncertainty_is_the_rate_of_what_the_model_does_not_explain,
+    with_a_high_gain_observer_it_is_the_extended_state_observer,
 }
 
 /// A sample of a plant with ẋ_n = a + b·u + Δ.
@@ -107,4 +110,54 @@ fn the_mean_uncertainty_of_the_period_is_found_to_second_order() {
         let size = error(h, &|t| (integral(t) - integral(t - h)) / h);
         assert!((0.99..1.01).contains(&(size / (h * h / 12.0 * amplitude))));
     }
+}
+
+/// The rest z = x_n − ∫(a + b·u) dt, summed up by hand, through the differentiator alone.
+fn the_uncertainty_is_the_rate_of_what_the_model_does_not_explain<T: Scalar>() {
+    fn check<T: Scalar, D: Differentiator<Scalar = T> + Clone>(differentiator: D) {
+        proptest!(cases(50), |(periods in periods(), delta in -9.0..9.0_f64)| {
+            let mut source = ModelAided::through(differentiator.clone());
+            let (mut alone, mut explained) = (differentiator.clone(), 0.0);
+            let mut last: Option<(f64, f64)> = None;
+            for (dt, [x_n, drift, gain, u]) in linear_model(&periods, delta) {
+                let (from, b) = last.replace((drift, gain)).unwrap_or((drift, gain));
+                // Before the first sample any number does.
+                explained += 0.5 * dt * (from + drift + (b + gain) * u);
+                let s = source.error_rate(&sample(x_n, drift, gain, u, 2.0), real(0.5), real(dt)).unwrap();
+                let rate = alone.update(real(x_n - explained), real(dt)).unwrap();
+                // As above, times what is remembered.
+                assert_abs_diff_eq!(s, real::<T>(-2.5) - rate, epsilon = ulps(150.0 * 10.0 * 40.0));
+            }
+        });
+    }
+    check(FilteredDifference::new(real::<T>(0.2)).unwrap());
+    check(HighGain::second_order(real::<T>(3.0)).unwrap());
+    check(Tracking::new(real::<T>(20.0), real(0.5)).unwrap());
+    check(RobustExact::first_order(real::<T>(4.0)).unwrap());
+}
+
+/// x̂ and Δ̂ from the observer's equations, for a constant period: predict x̂ by the model and Δ̂, correct both.
+fn with_a_high_gain_observer_it_is_the_extended_state_observer<T: Scalar>() {
+    let (omega, h) = (4.0, 0.25);
+    let q = f64::exp(-omega * h);
+    let inputs: Vec<(f64, f64)> = (0..20).map(|k| (h, f64::from(k % 5) - 2.0)).collect();
+    let mut source = ModelAided::through(HighGain::first_order(real::<T>(omega)).unwrap());
+    let (mut x_hat, mut delta_hat) = (0.0, 0.0);
+    let mut last: Option<(f64, f64)> = None;
+    for (dt, [x_n, drift, gain, u]) in linear_model(&inputs, 2.5) {
+        match last.replace((drift, gain)) {
+            None => x_hat = x_n,
+            Some((a, b)) => {
+                x_hat += dt * (0.5 * (a + drift) + 0.5 * (b + gain) * u + delta_hat);
+                let surprise = x_n - x_hat;
+                x_hat += (1.0 - q * q) * surprise;
+                delta_hat += (1.0 - q) * (1.0 - q) / h * surprise;
+            }
+        }
+        let s = source.error_rate(&sample(x_n, drift, gain, u, 0.0), T::zero(), real(dt)).unwrap();
+        // x_n < 300, rounded and divided by h, some ten of them remembered.
+        assert_abs_diff_eq!(s, real(-delta_hat), epsilon = ulps(300.0 / 0.25 * 10.0));
+    }
+    // 20 samples of e^(−1) each.
+    assert!((delta_hat - 2.5).abs() < 1e-4);
 }

@@ -1,12 +1,11 @@
 use approx::assert_abs_diff_eq;
 use brunovsky::{
     Error, Scalar,
-    learning::{BackwardDifference, ErrorRate, FilteredDifference},
+    differentiator::{BackwardDifference, Differentiator, FilteredDifference},
 };
 use proptest::prelude::*;
 
-use super::{error_on_a_sine, rates};
-use crate::support::{NOT_FINITE, at_error, cases, real, ulps};
+use crate::support::{NOT_FINITE, cases, error_on_a_sine, is_least_at, rates, real, ulps};
 
 in_both_precisions! {
     a_ramp_is_approached_geometrically,
@@ -16,6 +15,7 @@ in_both_precisions! {
     white_noise_comes_out_with_the_stated_variance,
     a_settled_ramp_stays_exact_when_the_period_varies,
     a_time_constant_that_is_negative_or_not_finite_is_refused,
+    noise_or_a_bound_out_of_range_is_refused,
 }
 
 fn filter<T: Scalar>(tau: f64) -> FilteredDifference<T> {
@@ -84,7 +84,7 @@ fn a_settled_ramp_stays_exact_when_the_period_varies<T: Scalar>() {
     let periods = core::iter::repeat_n(0.5, 100).chain([0.125, 2.0, 0.25, 0.0625, 1.0]);
     let mut sample = |dt: f64| {
         e_n += slope * dt;
-        source.error_rate(&at_error(real(e_n)), T::zero(), real(dt)).unwrap()
+        source.update(real(e_n), real(dt)).unwrap()
     };
     let settled: Vec<T> = periods.map(&mut sample).skip(90).collect();
     assert!(settled.iter().all(|rate| (*rate - real(slope)).abs() <= ulps(8.0)));
@@ -95,5 +95,24 @@ fn a_time_constant_that_is_negative_or_not_finite_is_refused<T: Scalar>() {
     assert_eq!(attempt(-1.0), Error::Negative { name: "time constant", value: -1.0 });
     for bad in NOT_FINITE {
         assert!(matches!(attempt(bad), Error::NonFinite { name: "time constant", .. }));
+    }
+}
+
+/// The bias of the delay τ on |ÿ| ≤ L and the variance σ²/τ² of the noise.
+#[test]
+fn the_time_constant_for_noise_makes_the_largest_mean_square_error_the_least() {
+    for (noise, bound) in [(1e-3, 1.0), (0.02, 5.0), (2.0, 0.1)] {
+        let tau = FilteredDifference::for_noise(noise, bound).unwrap().time_constant();
+        let cost = |tau: f64| (bound * tau).powi(2) + (noise / tau).powi(2);
+        assert!(is_least_at(cost, tau));
+    }
+}
+
+fn noise_or_a_bound_out_of_range_is_refused<T: Scalar>() {
+    let attempt = |noise, bound| FilteredDifference::<T>::for_noise(real(noise), real(bound));
+    for bad in [0.0, -1.0] {
+        let refused = |name| Err(Error::NotPositive { name, value: bad });
+        assert_eq!(attempt(bad, 1.0), refused("noise"));
+        assert_eq!(attempt(1.0, bad), refused("bound on the rate"));
     }
 }

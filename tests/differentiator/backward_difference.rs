@@ -1,11 +1,10 @@
 use brunovsky::{
     Scalar,
-    learning::{BackwardDifference, ErrorRate},
+    differentiator::{BackwardDifference, Differentiator},
 };
 use proptest::prelude::*;
 
-use super::{error_on_a_sine, rates};
-use crate::support::{at_error, cases, real};
+use crate::support::{cases, error_on_a_sine, rates, real};
 
 in_both_precisions! {
     the_first_rate_is_zero_and_a_ramp_is_exact,
@@ -27,7 +26,7 @@ fn the_period_may_vary<T: Scalar>() {
     let (mut t, slope) = (0.0, -3.0);
     for (k, dt) in [0.125, 0.5, 0.25, 2.0, 0.0625].into_iter().enumerate() {
         t += dt;
-        let rate = source.error_rate(&at_error(real::<T>(slope * t)), T::one(), real(dt)).unwrap();
+        let rate = source.update(real::<T>(slope * t), real(dt)).unwrap();
         assert_eq!(rate, real(if k == 0 { 0.0 } else { slope }));
     }
 }
