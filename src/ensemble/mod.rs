@@ -13,7 +13,7 @@
 //!     let start = [run.random_range(-0.5..0.5), 0.0];
 //!     let flc = FeedbackLinearization::new(believed, Gains::from_lambda(4.0)?);
 //!     let run = Simulation::new(&true_one, flc, |_| Reference::setpoint(1.0), start, 0.01)?;
-//!     let mut off = 0.0;
+//!     let mut off = 0.0_f64;
 //!     for sample in run.until(5.0)? {
 //!         off = (1.0 - sample?.x[0]).abs();
 //!     }
