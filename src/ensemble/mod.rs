@@ -7,13 +7,13 @@
 //! use brunovsky::ensemble::{Ensemble, Run, rand::RngExt};
 //! use brunovsky::{plant::Pendulum, prelude::*};
 //!
-//! let believed = Pendulum::new(1.0, 0.5, 0.1, 9.81)?;
+//! let believed = Pendulum::<f64>::new(1.0, 0.5, 0.1, 9.81)?;
 //! let ensemble = Ensemble::new(7, ["steady error in rad"], |mut run: Run| {
 //!     let true_one = Pendulum::new(run.random_range(0.8..1.2), 0.5, 0.1, 9.81)?;
 //!     let start = [run.random_range(-0.5..0.5), 0.0];
 //!     let flc = FeedbackLinearization::new(believed, Gains::from_lambda(4.0)?);
 //!     let run = Simulation::new(&true_one, flc, |_| Reference::setpoint(1.0), start, 0.01)?;
-//!     let mut off = 0.0_f64;
+//!     let mut off = 0.0;
 //!     for sample in run.until(5.0)? {
 //!         off = (1.0 - sample?.x[0]).abs();
 //!     }

@@ -1,4 +1,7 @@
 //! The robot on random ground, from a random start, under random noise.
+//!
+//! 10⁵ runs under each of three controllers take some 5 ms each; with a folder they can be interrupted and resumed:
+//! `cargo run --release --example paper -- random-ground --runs 100000 --record target/random_ground`.
 
 use std::{fs, path::Path};
 
