@@ -29,6 +29,7 @@
 //! | [`elementary`] | sine, cosine, hypotenuse in the scalar's own precision | – |
 //! | [`trajectory`] | references r(t) with their derivatives: analytic curves, minimum jerk, constant speed | controller |
 //! | [`simulation`] | the sampled loop, figures of merit | all |
+//! | `ensemble` | many runs of an experiment in parallel, sweeps, statistics (feature) | – |
 //!
 //! The [`prelude`] names what a typical program needs. [`nalgebra`] is re-exported, so that its version fits.
 //!
@@ -36,6 +37,7 @@
 //! * `std` (default): elementary functions of the platform. Without it they come from `libm`, and the crate needs neither an
 //!   operating system nor an allocator.
 //! * `reproducible`: the functions of `libm` with `std` too, for the same bits on every platform.
+//! * `ensemble`: Monte Carlo ensembles and sweeps; `parallel` runs them on all cores, `progress` shows how far they are.
 //!
 //! [From simulation to hardware](hardware) is a page for those who put a controller on a machine.
 
@@ -48,6 +50,8 @@ pub mod controller;
 pub mod differentiation;
 pub mod differentiator;
 pub mod elementary;
+#[cfg(feature = "ensemble")]
+pub mod ensemble;
 pub mod fuzzy;
 pub mod integrators;
 pub mod learning;
@@ -58,6 +62,9 @@ pub mod trajectory;
 
 mod error;
 mod scalar;
+
+#[cfg(feature = "ensemble")]
+extern crate std;
 
 pub use error::Error;
 pub use nalgebra;

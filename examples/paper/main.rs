@@ -21,6 +21,14 @@ struct Arguments {
     /// Where to write the data and the figures.
     #[arg(long, default_value = "target/paper")]
     out: PathBuf,
+
+    /// How many times the robot meets another ground, under each controller.
+    #[arg(long, default_value_t = 40)]
+    runs: u64,
+
+    /// A folder in which these runs are kept, and from which they are resumed.
+    #[arg(long)]
+    record: Option<PathBuf>,
 }
 
 #[derive(Clone, Copy, PartialEq, ValueEnum)]
@@ -29,6 +37,8 @@ enum Experiment {
     ThirdOrder,
     /// The tracked robot.
     MobileRobot,
+    /// The tracked robot on random ground: an ensemble.
+    RandomGround,
 }
 
 fn main() -> anyhow::Result<()> {
@@ -43,8 +53,13 @@ fn main() -> anyhow::Result<()> {
     if wanted(Experiment::MobileRobot) {
         claims.extend(mobile_robot::run(&arguments.out.join("mobile_robot"))?);
     }
-    println!("{}\n", claims::table(&claims));
-    claims::write(&arguments.out.join("claims.csv"), &claims)?;
-    println!("Data and figures are in {}.", arguments.out.display());
+    if wanted(Experiment::RandomGround) {
+        mobile_robot::run_random(arguments.runs, arguments.record.as_deref())?;
+    }
+    if !claims.is_empty() {
+        println!("{}\n", claims::table(&claims));
+        claims::write(&arguments.out.join("claims.csv"), &claims)?;
+        println!("Data and figures are in {}.", arguments.out.display());
+    }
     Ok(())
 }

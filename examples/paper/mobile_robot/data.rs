@@ -8,7 +8,7 @@ use brunovsky::controller::unicycle::{
 use serde::Serialize;
 
 use super::{
-    Sample, ground,
+    GROUND, Sample,
     merits::{error, error_true},
 };
 
@@ -43,7 +43,7 @@ pub fn rows(run: &[Sample]) -> Result<Vec<Row>, brunovsky::Error> {
     let mut heading = Heading::new(Direction::Forward);
     let row = |sample: &Sample| {
         let reference = &sample.reference;
-        let traction = ground(sample.x[0], sample.x[1]);
+        let traction = GROUND.traction(sample.x[0], sample.x[1]);
         let [first, second] = sample.command.decided.asked.decoupled.chains;
         Ok(Row {
             t: sample.t,

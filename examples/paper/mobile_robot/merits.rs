@@ -1,14 +1,15 @@
 //! What a run is judged by.
 
-use brunovsky::prelude::*;
+use anyhow::bail;
+use brunovsky::{ensemble::Runs, prelude::*};
 
 use super::{ON_TRACK, PERIOD, Sample, data::Row};
 
 /// A run that is ever farther off than this on track, in m, counts as diverged.
-const DIVERGED: f64 = 1.0;
+pub const DIVERGED: f64 = 1.0;
 
 /// Means over the samples on track, and over runs.
-#[derive(Clone, Copy, Default)]
+#[derive(Clone, Copy)]
 pub struct Merits {
     /// Distance of reference and GNSS position, in m.
     pub error: f64,
@@ -60,27 +61,39 @@ fn mean_of(values: impl Iterator<Item = f64>) -> f64 {
     sum / count
 }
 
-/// The merits of all `runs`.
-pub fn merits(runs: &[Vec<Sample>]) -> Result<Merits, Error> {
-    let mut all = Merits::default();
-    for run in runs {
-        let error_true = mean(run, error_true);
-        let commands = on_track(run).map(|sample| sample.u[1]);
-        let seconds = on_track(run).count() as f64 * PERIOD;
-        all.error += mean(run, error);
-        all.error_true += error_true;
-        all.worst = all.worst.max(error_true);
-        let limited = |sample: &Sample| {
-            f64::from(u8::from(sample.u[1] != sample.command.decided.asked.omega))
-        };
-        all.saturated += mean(run, limited);
-        all.variation += TotalVariation::of(commands)? / seconds;
-        all.diverged +=
-            usize::from(on_track(run).any(|sample| self::error_true(sample) > DIVERGED));
+/// What a run is judged by.
+pub const FIGURES: [&str; 5] =
+    ["error in m", "true error in m", "ω saturated", "TV(ω) in rad/s²", "diverged"];
+
+/// The [`FIGURES`] of a run.
+pub fn figures(run: &[Sample]) -> Result<[f64; 5], Error> {
+    let limited = |sample: &Sample| sample.u[1] != sample.command.decided.asked.omega;
+    let diverged = on_track(run).any(|sample| error_true(sample) > DIVERGED);
+    let seconds = on_track(run).count() as f64 * PERIOD;
+    Ok([
+        mean(run, error),
+        mean(run, error_true),
+        mean(run, |sample| f64::from(limited(sample))),
+        TotalVariation::of(on_track(run).map(|sample| sample.u[1]))? / seconds,
+        f64::from(diverged),
+    ])
+}
+
+impl Merits {
+    /// The merits of all `runs`, none of which may have failed.
+    pub fn of(runs: &Runs<5>) -> anyhow::Result<Self> {
+        if let Some((seed, reason)) = runs.failures().next() {
+            bail!("the run with seed {seed} failed: {reason}");
+        }
+        let [error, error_true, saturated, variation, _] = runs.summaries(0.95)?;
+        let diverged = runs.completed().filter(|(_, [.., diverged])| *diverged > 0.0);
+        Ok(Self {
+            error: error.mean()?.value,
+            error_true: error_true.mean()?.value,
+            worst: error_true.worst().map_or(0.0, |case| case.value),
+            saturated: saturated.mean()?.value,
+            variation: variation.mean()?.value,
+            diverged: diverged.count(),
+        })
     }
-    let count = runs.len() as f64;
-    for sum in [&mut all.error, &mut all.error_true, &mut all.saturated, &mut all.variation] {
-        *sum /= count;
-    }
-    Ok(all)
 }

@@ -12,7 +12,7 @@ use brunovsky::{
         unicycle::{Direction, Standstill, UnicycleCommand, UnicycleController},
     },
     learning::{AdaptationRule, Compensator, ErrorRate},
-    plant::{IntegratorChain, TrackedRobot, Traction},
+    plant::{IntegratorChain, TrackedRobot},
     prelude::*,
     simulation,
     trajectory::{ConstantSpeed, Trajectory},
@@ -23,10 +23,14 @@ use crate::claims::Claim;
 mod claims;
 mod data;
 mod figures;
+mod ground;
 mod merits;
+mod random;
 mod sensors;
 mod tables;
 
+use ground::{GROUND, Ground};
+pub use random::run as run_random;
 use sensors::{Accuracy, Sensed, SensedCommand};
 
 const EXPERIMENT: &str = "mobile-robot";
@@ -46,25 +50,11 @@ const SEEDS: u64 = 20;
 const ON_TRACK: f64 = 40.0;
 /// How far beside the path the robot starts, in m.
 const OFFSET: f64 = 1.0;
-/// The mean yaw traction κ. It was lowered from 0.6 (a yaw slip of 40 %) until feedback linearization alone showed the mean error of
-/// 0.12 m that the paper measured on its field, which the first row of the printed table shows; CLELC had no part in it, and nothing
-/// was changed afterwards.
-const YAW_TRACTION: f64 = 0.465;
 
 type Path2 = ConstantSpeed<f64, 2, 9>;
 type Axes = [ClelcCommand<f64>; 2];
 type Decided = LimitedCommand<UnicycleCommand<f64, Axes>, f64, 2>;
 type Sample = simulation::Sample<f64, [Reference<f64, 2>; 2], SensedCommand<Decided>, 5, 2>;
-
-/// The ground: longitudinal slip of 10 ± 5 %, yaw slip 12 % to either side of its mean, centre of rotation 0.1 m ahead, varying over some
-/// 20 m to 40 m.
-fn ground(x: f64, y: f64) -> Traction<f64> {
-    Traction {
-        longitudinal: 0.9 + 0.05 * (0.31 * x).sin() * (0.23 * y + 1.0).cos(),
-        yaw: YAW_TRACTION + 0.12 * (0.17 * x + 0.5).sin() * (0.27 * y).cos(),
-        side: 0.1,
-    }
-}
 
 /// Straight, a left turn, a right turn, a left turn, straight: scaled until its sharpest turn needs `yaw_rate` in rad/s.
 fn path(yaw_rate: f64) -> Result<Path2, Error> {
@@ -94,7 +84,7 @@ fn axis<C: Compensator<f64, 2>>(
 }
 
 /// Feedback linearization alone, with s on record.
-fn flc() -> Result<impl ChainControllers<f64, 2, 2, Commands = Axes> + Clone, Error> {
+fn flc() -> Result<impl ChainControllers<f64, 2, 2, Commands = Axes> + Copy + Send + Sync, Error> {
     let axis = axis(NullCompensator::new(BackwardDifference::new()))?;
     Ok([axis; 2])
 }
@@ -103,10 +93,10 @@ fn flc() -> Result<impl ChainControllers<f64, 2, 2, Commands = Axes> + Clone, Er
 fn clelc<E, R>(
     error_rate: E,
     rule: R,
-) -> Result<impl ChainControllers<f64, 2, 2, Commands = Axes> + Clone, Error>
+) -> Result<impl ChainControllers<f64, 2, 2, Commands = Axes> + Copy + Send + Sync, Error>
 where
-    E: ErrorRate<f64, 2> + Copy,
-    R: AdaptationRule<f64, 2, 3> + Copy,
+    E: ErrorRate<f64, 2> + Copy + Send + Sync,
+    R: AdaptationRule<f64, 2, 3> + Copy + Send + Sync,
 {
     let network = FuzzyNetwork::<f64, 2, 3>::evenly_spaced([2.0 * OFFSET, SPEED])?;
     let axis = axis(NeuroFuzzy::new(network, error_rate, rule))?;
@@ -121,9 +111,18 @@ fn rule(switching: Switching<f64>) -> Result<SlidingMode<f64>, Error> {
 /// What a run is made under, beside its path and its noise.
 #[derive(Clone, Copy)]
 struct Field {
+    ground: Ground,
     accuracy: Accuracy,
     /// The limit on |ω| in rad/s.
     limit: f64,
+    /// How far beside the path the robot starts, in m.
+    offset: f64,
+}
+
+/// The study's own.
+fn field() -> Field {
+    let accuracy = Accuracy::rtk(0.04);
+    Field { ground: GROUND, accuracy, limit: YAW_RATE_LIMIT, offset: OFFSET }
 }
 
 /// One run along `path` with the noise of `seed` and the controllers `axes`.
@@ -133,11 +132,11 @@ fn simulate(
     field: Field,
     seed: u64,
 ) -> Result<Vec<Sample>, Error> {
-    let robot = TrackedRobot::new(0.3, ground)?;
+    let robot = TrackedRobot::new(0.3, |x, y| field.ground.traction(x, y))?;
     let controller = UnicycleController::new(axes, Direction::Forward, 0.05, Standstill::Hold)?;
     let limits = Saturation::new([0.0, -field.limit], [2.0 * SPEED, field.limit])?;
     let sensed = Sensed::new(Limited::new(controller, limits), field.accuracy, seed);
-    let start = [0.0, OFFSET, 0.0, SPEED, 0.0];
+    let start = [0.0, field.offset, 0.0, SPEED, 0.0];
     Simulation::new(&robot, sensed, |t| path.references(t), start, PERIOD)?
         .until(path.duration())?
         .collect()
@@ -147,7 +146,7 @@ fn simulate(
 pub fn run(out: &Path) -> anyhow::Result<Vec<Claim>> {
     fs::create_dir_all(out)?;
     let path = path(YAW_RATE)?;
-    let field = Field { accuracy: Accuracy::rtk(0.04), limit: YAW_RATE_LIMIT };
+    let field = field();
     let recommended = rule(Switching::Implicit { delta: RECOMMENDED_DELTA })?;
     let flc = simulate(flc()?, &path, field, 0)?;
     let clelc = simulate(clelc(ModelAided::new(), recommended)?, &path, field, 0)?;

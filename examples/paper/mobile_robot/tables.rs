@@ -2,6 +2,7 @@
 
 use brunovsky::{
     controller::ChainControllers,
+    ensemble::{Ensemble, Run},
     learning::{Bounded, Conditional},
     prelude::*,
 };
@@ -9,7 +10,7 @@ use comfy_table::Table;
 
 use super::{
     Axes, DELTA, Field, Path2, RECOMMENDED_DELTA, SEEDS, clelc, flc,
-    merits::{Merits, merits},
+    merits::{FIGURES, Merits, figures},
     rule,
     sensors::Accuracy,
     simulate,
@@ -26,16 +27,18 @@ pub struct Settings {
 }
 
 fn over_seeds(
-    axes: impl ChainControllers<f64, 2, 2, Commands = Axes> + Clone,
+    axes: impl ChainControllers<f64, 2, 2, Commands = Axes> + Copy + Send + Sync,
     path: &Path2,
     field: Field,
-) -> Result<Merits, Error> {
-    let runs = (0..SEEDS).map(|seed| simulate(axes.clone(), path, field, seed));
-    merits(&runs.collect::<Result<Vec<_>, _>>()?)
+) -> anyhow::Result<Merits> {
+    // The sensors have seeds of their own: those with which the ground was calibrated.
+    let ensemble =
+        Ensemble::new(0, FIGURES, |run: Run| figures(&simulate(axes, path, field, run.index())?));
+    Merits::of(&ensemble.runs(SEEDS))
 }
 
 /// Runs every setting over all seeds.
-pub fn settings(path: &Path2, field: Field) -> Result<Settings, Error> {
+pub fn settings(path: &Path2, field: Field) -> anyhow::Result<Settings> {
     let explicit = rule(Switching::Explicit { delta: DELTA })?;
     let implicit = rule(Switching::Implicit { delta: DELTA })?;
     let recommended = rule(Switching::Implicit { delta: RECOMMENDED_DELTA })?;
@@ -82,7 +85,7 @@ pub fn of_settings(settings: &Settings) -> Table {
 }
 
 /// Policies against windup, under limits that leave the drives room and limits that do not, at several noise levels.
-pub fn policies(path: &Path2, field: Field) -> Result<Table, Error> {
+pub fn policies(path: &Path2, field: Field) -> anyhow::Result<Table> {
     let mut table = headed([
         "limit in rad/s",
         "noise",
@@ -105,7 +108,7 @@ pub fn policies(path: &Path2, field: Field) -> Result<Table, Error> {
             let Accuracy { speed, heading, .. } = field.accuracy;
             let accuracy =
                 Accuracy { speed: noise * speed, heading: noise * heading, ..field.accuracy };
-            let field = Field { accuracy, limit };
+            let field = Field { accuracy, limit, ..field };
             let flc = cell(over_seeds(flc()?, path, field)?);
             for delta in [DELTA, RECOMMENDED_DELTA] {
                 let rule = rule(Switching::Implicit { delta })?;
