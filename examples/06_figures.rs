@@ -8,7 +8,7 @@ use brunovsky::{
     controller::{ClelcCommand, unicycle::heading},
     learning::Antecedents,
     plant::VanDerPol,
-    plot::{BLUE, Draw, Figure, Line},
+    plot::{BLACK, BLUE, Dash, Draw, Figure, Line, Stroke},
     prelude::*,
     simulation,
     trajectory::FigureEight,
@@ -79,8 +79,10 @@ fn main() -> anyhow::Result<()> {
 
     let shares = clelc.iter().map(|s| (s.t, s.command.u_b, s.command.u_n));
     let [signals, part] = Figure::shares("1/s²", shares, 0.5)?;
-    let signals =
-        signals.y_range(-6.0..6.0).line(Line::new("−Δ", signal(&clelc, |s| -uncertainty(s.t))));
+    let signals = signals.y_range(-6.0..6.0).line(
+        Line::new("−Δ", signal(&clelc, |s| -uncertainty(s.t)))
+            .stroke(Stroke::new(BLACK, Dash::Dashed).width(1.2)),
+    );
     let shares = [signals.event(5.0, "Δ sets in"), part];
     save("shares", &|path| shares.save(path))?;
 
@@ -108,7 +110,7 @@ fn main() -> anyhow::Result<()> {
     flowing = Clelc::new(base, learner);
     run(&mut flowing, [1.0, 0.0], 0.01, 0.0, 0)?;
     let memberships =
-        Figure::memberships("error e₁", &untaught, flowing.compensator().network(), 0)?;
+        Figure::memberships("error e₂ in 1/s", &untaught, flowing.compensator().network(), 1)?;
     save("memberships", &|path| memberships.save(path))?;
 
     let mut ensemble = Figure::over_time("error e₁").event(5.0, "Δ sets in");
@@ -138,23 +140,28 @@ fn main() -> anyhow::Result<()> {
     let plane = plane.point((0.0, 0.0), "crossing");
     save("in_plane", &|path| plane.save(path))?;
 
-    let alphas: Vec<f64> = (1..=24).map(|i| 4.0 * f64::from(i)).collect();
-    let periods: Vec<f64> = (1..=16).map(|i| 0.004 * f64::from(i)).collect();
+    // The explicit sign chatters where αh/δ > 2.
+    let delta = 0.5;
+    let alphas: Vec<f64> = (1..=40).map(|i| 2.5 * f64::from(i)).collect();
+    let periods: Vec<f64> = (1..=30).map(|i| 0.002 * f64::from(i)).collect();
+    let variation = |alpha, period| -> Result<f64, Error> {
+        let rule = SlidingMode::new(alpha)?.with_switching(Switching::Explicit { delta })?;
+        let network = FuzzyNetwork::evenly_spaced([1.0, 2.0])?;
+        let learner = NeuroFuzzy::new(network, BackwardDifference::new(), rule);
+        let samples = run(&mut Clelc::new(base, learner), [1.0, 0.0], period, 0.0, 0)?;
+        let steady = samples.iter().filter(|s| s.t > 10.0).map(|s| s.command.u_n);
+        Ok(TotalVariation::of(steady)? / 5.0)
+    };
     let map = Figure::heat_map(
-        ["learning rate α in 1/s³", "period h in s", "RMS of e₁, log₁₀"],
+        ["learning rate α in 1/s³", "period h in s", "log₁₀ of the variation of u_n in 1/s³"],
         &alphas,
         &periods,
-        |alpha, period| {
-            let result = || -> Result<f64, Error> {
-                let run = run(&mut controller(alpha)?, [1.0, 0.0], period, 0.0, 0)?;
-                let errors =
-                    run.iter().filter(|s| s.t > 10.0).map(|s| (s.t, s.reference.r[0] - s.x[0]));
-                Ok(ErrorMetrics::of(errors)?.rms().unwrap_or(f64::NAN).log10())
-            };
-            result().unwrap_or(f64::NAN)
-        },
+        |alpha, period| variation(alpha, period).unwrap_or(f64::NAN).log10(),
     )?
-    .undefined("diverged");
+    .line(
+        Line::new("αh = 2δ", alphas.iter().map(|alpha| (*alpha, 2.0 * delta / alpha)))
+            .stroke(Stroke::new(BLACK, Dash::Dashed)),
+    );
     save("heat_map", &|path| map.save(path))?;
     println!("The figures are in {}.", out.display());
     Ok(())

@@ -80,9 +80,10 @@ impl Ticks {
         let rough = (range.end - range.start) / wanted.max(1.0);
         let power = rough.log10().floor() as i32;
         let (factor, power) = match rough / 10.0_f64.powi(power) {
-            mantissa if mantissa <= 1.0 => (1.0, power),
-            mantissa if mantissa <= 2.0 => (2.0, power),
-            mantissa if mantissa <= 5.0 => (5.0, power),
+            // The nearest by ratio.
+            mantissa if mantissa < 2.0_f64.sqrt() => (1.0, power),
+            mantissa if mantissa < 10.0_f64.sqrt() => (2.0, power),
+            mantissa if mantissa < 50.0_f64.sqrt() => (5.0, power),
             _ => (1.0, power + 1),
         };
         // A quotient by 10ⁿ is the number nearest to a decimal fraction, a product with 10⁻ⁿ is not.

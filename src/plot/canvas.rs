@@ -13,7 +13,7 @@ use plotters::{
 
 use super::{
     BLACK, Error, Stroke,
-    geometry::{Point, dashes},
+    geometry::{Point, dashes, simplified},
 };
 
 /// The family of all text. Its glyphs are those of the bundled font; a viewer of an SVG file that does not have it takes one of the same
@@ -49,7 +49,9 @@ impl<'a, DB: DrawingBackend> Canvas<'a, DB> {
             filled: false,
             stroke_width: self.dots(stroke.width).max(1),
         };
-        for piece in dashes(points, stroke.dash.pattern()) {
+        // What is off by less than the eye sees only makes files large and edges rough.
+        let points = simplified(points, 0.04);
+        for piece in dashes(&points, stroke.dash.pattern()) {
             let mut dots: Vec<_> = piece.into_iter().map(|point| self.dot(point)).collect();
             dots.dedup();
             self.draw(&PathElement::new(dots, style))?;

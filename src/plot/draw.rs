@@ -8,7 +8,12 @@ use plotters::{
     style::WHITE,
 };
 
-use super::{Error, Figure, canvas::Canvas, layout::Layout, page::Page};
+use super::{
+    Error, Figure,
+    canvas::Canvas,
+    layout::{Layout, Said},
+    page::Page,
+};
 
 /// What can be drawn: a [`Figure`], or several as the panels of one, from above to below.
 ///
@@ -58,18 +63,22 @@ pub trait Draw {
     /// The figure as a PNG file with `dpi` dots per inch: 300 for print, 96 for a screen.
     ///
     /// # Errors
-    /// As [`draw_on`](Self::draw_on); [`Error::Input`] for a `dpi` of 0 or above 2400.
+    /// As [`draw_on`](Self::draw_on); [`Error::Input`] for a `dpi` of 0, or for more than 50 million dots.
     fn png(&self, dpi: u32) -> Result<Vec<u8>, Error> {
         crate::error::positive("dpi", f64::from(dpi))?;
-        crate::error::below("dpi", f64::from(dpi), 2401.0)?;
-        let [width, height] = pixels(self.panels())?.map(|size| (size * dpi).div_ceil(96));
-        let mut dots = vec![0; 3 * width as usize * height as usize];
-        let area = BitMapBackend::with_buffer(&mut dots, (width, height)).into_drawing_area();
+        let wanted =
+            pixels(self.panels())?.map(|size| (f64::from(size) * f64::from(dpi) / 96.0).ceil());
+        crate::error::below("dots of the figure", wanted[0] * wanted[1], 5e7)?;
+        let [width, height] = wanted.map(|size| size as u32);
+        // Every dot is the mean of four, as the backend smoothes edges in one direction only.
+        let mut fine = vec![0; 12 * width as usize * height as usize];
+        let area =
+            BitMapBackend::with_buffer(&mut fine, (2 * width, 2 * height)).into_drawing_area();
         area.fill(&WHITE).map_err(Error::backend)?;
         self.draw_on(&area)?;
         area.present().map_err(Error::backend)?;
         drop(area);
-        encoded(&dots, [width, height], dpi).map_err(Error::backend)
+        encoded(&halved(&fine, width as usize), [width, height], dpi).map_err(Error::backend)
     }
 
     /// Writes the figure into a file, as its extension says: `.svg`, or `.png` with 300 dots per inch.
@@ -106,10 +115,23 @@ impl<const N: usize> Draw for [Figure; N] {
     }
 }
 
-/// The layouts of panels, with their left axes below each other.
+/// The layouts of panels, with their left axes below each other. What two neighbours have in common is said once.
 fn layouts(panels: &[Figure]) -> Result<Vec<Layout>, Error> {
+    let keys = |figure: &Figure| -> Vec<String> {
+        figure.layers.iter().filter_map(|layer| layer.key().map(str::to_owned)).collect()
+    };
+    let said = |i: usize, figure: &Figure| {
+        let above = i.checked_sub(1).and_then(|i| panels.get(i));
+        let below = panels.get(i + 1);
+        let [axis, _] = &figure.axes;
+        Said {
+            legend: above.is_some_and(|above| keys(above) == keys(figure)),
+            x_label: below.is_some_and(|below| below.axes[0] == *axis),
+        }
+    };
     let with = |left: f64| -> Result<Vec<_>, Error> {
-        panels.iter().map(|figure| Layout::of(figure, left)).collect()
+        let panels = panels.iter().enumerate();
+        panels.map(|(i, figure)| Layout::of(figure, left, said(i, figure))).collect()
     };
     let left = with(0.0)?.iter().fold(0.0_f64, |left, layout| left.max(layout.left));
     with(left)
@@ -127,6 +149,21 @@ fn pixels(panels: &[Figure]) -> Result<[u32; 2], Error> {
         return Err(crate::Error::Missing { name: "panels" }.into());
     }
     Ok(extent(&layouts(panels)?).map(|size| size.ceil() as u32))
+}
+
+/// The means of 2 × 2 dots, of an image that is twice as wide as `width`.
+fn halved(fine: &[u8], width: usize) -> Vec<u8> {
+    let mut dots = Vec::with_capacity(fine.len() / 4);
+    for rows in fine.chunks_exact(12 * width) {
+        let (upper, lower) = rows.split_at(6 * width);
+        for quad in upper.chunks_exact(6).zip(lower.chunks_exact(6)) {
+            let ([a, b, c, d, e, f], [g, h, i, j, k, l]) = quad else { continue };
+            let mean =
+                |four: [&u8; 4]| (four.into_iter().map(|dot| u16::from(*dot)).sum::<u16>() + 2) / 4;
+            dots.extend([[a, d, g, j], [b, e, h, k], [c, f, i, l]].map(|four| mean(four) as u8));
+        }
+    }
+    dots
 }
 
 fn encoded(

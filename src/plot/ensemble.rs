@@ -1,4 +1,4 @@
-use super::{Figure, Line, Stroke, figure::Layer};
+use super::{Figure, Line, figure::Layer};
 use crate::{
     Error,
     error::{below, finite_slice, not_negative},
@@ -38,12 +38,11 @@ impl Figure {
             median.push((*t, quantile(&values, 0.5)));
             band.push((*t, quantile(&values, low)..quantile(&values, high)));
         }
-        let Stroke { colour, dash, .. } = self.next_stroke();
+        let stroke = self.next_stroke();
         let percent = |part: f64| (1000.0 * part).round() / 10.0;
-        let name = format!("{} to {} %", percent(low), percent(high));
-        self.layers.push(Layer::Band { label: name, points: band, colour, opacity: 0.25 });
-        let median = Line::new(format!("{label}, median"), median);
-        Ok(self.line(median.stroke(Stroke::new(colour, dash))))
+        let label = format!("{label}: median, {} to {} %", percent(low), percent(high));
+        self.layers.push(Layer::Band { label, points: band, stroke });
+        Ok(self.line(Line::new("", median).stroke(stroke)))
     }
 }
 

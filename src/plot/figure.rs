@@ -17,8 +17,6 @@ pub struct Figure {
     /// Whether a unit is as long up as across; the height follows from that.
     pub(super) equal: bool,
     pub(super) colour_bar: Option<ColourBar>,
-    /// How many lines have taken a style.
-    pub(super) taken: usize,
 }
 
 /// Something drawn between the axes, in their units where nothing else is said.
@@ -38,8 +36,7 @@ pub(super) enum Layer {
     Band {
         label: String,
         points: Vec<(f64, Range<f64>)>,
-        colour: RGBColor,
-        opacity: f64,
+        stroke: Stroke,
     },
     Mark {
         label: String,
@@ -90,7 +87,6 @@ impl Figure {
             size: [640.0, 340.0],
             equal: false,
             colour_bar: None,
-            taken: 0,
         }
     }
 
@@ -143,10 +139,15 @@ impl Figure {
         self.layers.push(Layer::Mark { label: String::new(), at, shape, colour });
     }
 
-    /// The style of the next line without one of its own.
-    pub(super) fn next_stroke(&mut self) -> Stroke {
-        self.taken += 1;
-        Stroke::nth(self.taken - 1)
+    /// The style of the next line without one of its own: the first whose colour is free.
+    pub(super) fn next_stroke(&self) -> Stroke {
+        let taken = |colour| {
+            self.layers
+                .iter()
+                .any(|layer| matches!(layer, Layer::Line { stroke, .. } if stroke.colour == colour))
+        };
+        let free = (0..self.layers.len()).map(Stroke::nth).find(|stroke| !taken(stroke.colour));
+        free.unwrap_or_else(|| Stroke::nth(self.layers.len()))
     }
 
     /// What the axes show.

@@ -80,3 +80,38 @@ pub(super) fn dashes(points: &[Point], pattern: &[f64]) -> Vec<Vec<Point>> {
     }
     strokes
 }
+
+/// The polyline without the points that lie within `tolerance` of the line through those that are kept (U. Ramer, 1972; D. Douglas,
+/// T. Peucker, 1973).
+pub(super) fn simplified(points: &[Point], tolerance: f64) -> Vec<Point> {
+    let Some(last) = points.len().checked_sub(1) else { return Vec::new() };
+    let mut kept = vec![false; points.len()];
+    let mut spans = vec![(0, last)];
+    while let Some((from, to)) = spans.pop() {
+        let (Some(a), Some(b)) = (points.get(from), points.get(to)) else { continue };
+        for end in [from, to] {
+            if let Some(kept) = kept.get_mut(end) {
+                *kept = true;
+            }
+        }
+        let between = points.iter().enumerate().take(to).skip(from + 1);
+        let farthest = between
+            .map(|(i, point)| (i, distance(*point, *a, *b)))
+            .max_by(|one, other| one.1.total_cmp(&other.1));
+        if let Some((i, off)) = farthest
+            && off > tolerance
+        {
+            spans.extend([(from, i), (i, to)]);
+        }
+    }
+    points.iter().zip(kept).filter_map(|(point, kept)| kept.then_some(*point)).collect()
+}
+
+/// The distance of a point from the segment between `a` and `b`.
+fn distance(point: Point, a: Point, b: Point) -> f64 {
+    let (dx, dy) = (b.0 - a.0, b.1 - a.1);
+    let squared = dx * dx + dy * dy;
+    let along = (point.0 - a.0) * dx + (point.1 - a.1) * dy;
+    let part = if squared > 0.0 { (along / squared).clamp(0.0, 1.0) } else { 0.0 };
+    (a.0 + part * dx - point.0).hypot(a.1 + part * dy - point.1)
+}

@@ -41,8 +41,8 @@ impl Figure {
         let range = if low < high { low..high } else { low - 0.5..high + 0.5 };
         let mut figure = Self::new(x_label, y_label);
         figure.size = [480.0, 360.0];
-        for axis in &mut figure.axes {
-            axis.margin = 0.0;
+        for (axis, edges) in figure.axes.iter_mut().zip([&x, &y]) {
+            axis.range = edges.first().zip(edges.last()).map(|(start, end)| *start..*end);
         }
         figure.colour_bar =
             Some(ColourBar { label: z_label.into(), range, map: ColourMap::Cividis });
@@ -50,9 +50,15 @@ impl Figure {
         Ok(figure)
     }
 
-    /// Names the cells of a map where the value is not finite: "diverged", say.
+    /// Names the cells of a map where the value is not finite, if there are any: "diverged", say.
     pub fn undefined(mut self, label: impl Into<String>) -> Self {
-        self.layers.push(Layer::Key { label: label.into(), colour: ColourBar::NONE });
+        let any = self.layers.iter().any(|layer| match layer {
+            Layer::Cells { values, .. } => values.iter().any(|value| value.is_nan()),
+            _ => false,
+        });
+        if any {
+            self.layers.push(Layer::Key { label: label.into(), colour: ColourBar::NONE });
+        }
         self
     }
 

@@ -30,34 +30,42 @@ pub(super) struct Layout {
     pub legend: Vec<(usize, Point)>,
     /// The ticks of the colour bar.
     pub bar: Option<Ticks>,
+    pub said: Said,
+}
+
+/// What another panel says already: the legend of the one above, the label of the x axis of the one below.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Said {
+    pub legend: bool,
+    pub x_label: bool,
 }
 
 impl Layout {
-    /// The layout of a figure whose left margin is `left` at least.
-    pub fn of(figure: &Figure, left: f64) -> Result<Self, Error> {
+    /// The layout of a figure whose left margin is `left` at least, without what a neighbouring panel says already.
+    pub fn of(figure: &Figure, left: f64, said: Said) -> Result<Self, Error> {
         let [x, mut y] = figure.ranges()?;
         let mut x = x;
         let [full_width, mut height] = figure.size;
-        let y_ticks = Ticks::of(&y, height / 48.0);
+        let y_ticks = Ticks::of(&y, height / 40.0);
         let left = left.max(margin(&y_ticks)?);
-        let bar = figure.colour_bar.as_ref().map(|bar| Ticks::of(&bar.range, height / 48.0));
+        let bar = figure.colour_bar.as_ref().map(|bar| Ticks::of(&bar.range, height / 40.0));
         let right = match &bar {
             // The bar, its ticks and its label.
             Some(ticks) => full_width - (32.0 + margin(ticks)?),
             // Half the label of a tick at the end.
             None => full_width - 20.0,
         };
-        let (legend, rows) = legend(figure, left, right)?;
+        let (legend, rows) = legend(figure, left, right, said.legend)?;
         let top = EDGE + rows.max(if events(figure) { 1.0 } else { 0.3 }) * ROW;
-        let bottom = 46.0;
+        let bottom = if said.x_label { 28.0 } else { 46.0 };
         if figure.equal {
             (height, x, y) = equal(right - left, top + bottom, height, x, y);
         }
         let ticks =
-            [Ticks::of(&x, (right - left) / 72.0), Ticks::of(&y, (height - top - bottom) / 44.0)];
+            [Ticks::of(&x, (right - left) / 62.0), Ticks::of(&y, (height - top - bottom) / 40.0)];
         let size = [full_width, height];
         let bottom = height - bottom;
-        Ok(Self { size, ranges: [x, y], ticks, left, right, top, bottom, legend, bar })
+        Ok(Self { size, ranges: [x, y], ticks, left, right, top, bottom, legend, bar, said })
     }
 
     /// Where a point of the figure is.
@@ -94,10 +102,19 @@ fn events(figure: &Figure) -> bool {
 }
 
 /// Where the names go, in rows above the axes where they cover nothing, and how many rows that takes.
-fn legend(figure: &Figure, left: f64, right: f64) -> Result<(Vec<(usize, Point)>, f64), Error> {
+fn legend(
+    figure: &Figure,
+    left: f64,
+    right: f64,
+    said: bool,
+) -> Result<(Vec<(usize, Point)>, f64), Error> {
     let mut places = Vec::new();
     let (mut x, mut row) = (left, 0.0);
-    for (i, layer) in figure.layers.iter().enumerate() {
+    // What the marks mean comes after the lines that they are on.
+    let layers = || figure.layers.iter().enumerate().filter(|_| !said);
+    let is_mark = |layer: &Layer| matches!(layer, Layer::Mark { .. });
+    let in_turn = layers().filter(|(_, layer)| !is_mark(layer));
+    for (i, layer) in in_turn.chain(layers().filter(|(_, layer)| is_mark(layer))) {
         let Some(label) = layer.key() else { continue };
         let wide = layer.sample() + width(label, SMALL)? + 22.0;
         if x > left && x + wide - 22.0 > right {
@@ -147,7 +164,7 @@ impl Layer {
     pub fn sample(&self) -> f64 {
         match self {
             Layer::Mark { shape: Shape::Ring | Shape::Disc, .. } => 14.0,
-            Layer::Band { .. } | Layer::Key { .. } => 24.0,
+            Layer::Key { .. } => 24.0,
             _ => SAMPLE + 6.0,
         }
     }

@@ -1,3 +1,5 @@
+use std::ops::Range;
+
 use plotters::{
     prelude::DrawingBackend,
     style::{Color, RGBColor},
@@ -14,6 +16,8 @@ use super::{
 
 const WHITE: RGBColor = RGBColor(255, 255, 255);
 const GRID: Stroke = Stroke::new(RGBColor(225, 225, 225), Dash::Solid).width(0.7);
+/// The opacity of a band, through which others are seen.
+const BAND: f64 = 0.22;
 const FRAME: Stroke = Stroke::new(RGBColor(60, 60, 60), Dash::Solid).width(0.9);
 
 /// One panel on its canvas.
@@ -25,13 +29,13 @@ pub(super) struct Page<'a, DB: DrawingBackend> {
 
 impl<DB: DrawingBackend> Page<'_, DB> {
     pub fn draw(&self) -> Result<(), Error> {
-        let (cells, others): (Vec<_>, Vec<_>) =
-            self.figure.layers.iter().partition(|layer| matches!(layer, Layer::Cells { .. }));
-        cells.into_iter().try_for_each(|layer| self.layer(layer))?;
+        let surface = |layer: &&Layer| matches!(layer, Layer::Cells { .. } | Layer::Band { .. });
+        let layers = || self.figure.layers.iter();
         if self.figure.colour_bar.is_none() {
             self.grid()?;
         }
-        others.into_iter().try_for_each(|layer| self.layer(layer))?;
+        layers().filter(surface).try_for_each(|layer| self.layer(layer))?;
+        layers().filter(|layer| !surface(layer)).try_for_each(|layer| self.layer(layer))?;
         self.axes()?;
         self.colour_bar()?;
         self.legend()
@@ -66,7 +70,9 @@ impl<DB: DrawingBackend> Page<'_, DB> {
         }
         let [x_axis, y_axis] = &self.figure.axes;
         let middle = ((left + right) / 2.0, bottom + 32.0);
-        self.canvas.text(&x_axis.label(x.exponent), NORMAL, middle, Align::Centre)?;
+        if !self.layout.said.x_label {
+            self.canvas.text(&x_axis.label(x.exponent), NORMAL, middle, Align::Centre)?;
+        }
         let widths = y.places.iter().map(|(_, text)| width(text, SMALL));
         let widest = widths.collect::<Result<Vec<_>, _>>()?.into_iter().fold(0.0, f64::max);
         let middle = (left - widest - 18.0, (top + bottom) / 2.0);
@@ -95,22 +101,7 @@ impl<DB: DrawingBackend> Page<'_, DB> {
                 let at = (at.0.max(least).min(most.max(least)), at.1);
                 self.canvas.text(label, SMALL, at, Align::Centre)
             }
-            Layer::Band { points, colour, opacity, .. } => {
-                let [x_range, y_range] = &layout.ranges;
-                let seen = || {
-                    points.iter().filter(|(x, y)| {
-                        x_range.start <= *x
-                            && *x <= x_range.end
-                            && y.start.is_finite()
-                            && y.end.is_finite()
-                    })
-                };
-                let clamp = |y: f64| y.clamp(y_range.start, y_range.end);
-                let lower = seen().map(|(x, y)| layout.at((*x, clamp(y.start))));
-                let upper = seen().map(|(x, y)| layout.at((*x, clamp(y.end))));
-                let corners: Vec<_> = lower.chain(upper.rev()).collect();
-                self.canvas.polygon(&corners, colour.mix(*opacity))
-            }
+            Layer::Band { points, stroke, .. } => self.band(points, stroke),
             Layer::Mark { at, shape, colour, .. } if layout.sees(*at) => {
                 self.mark(layout.at(*at), shape, *colour)
             }
@@ -124,6 +115,26 @@ impl<DB: DrawingBackend> Page<'_, DB> {
             Layer::Mark { .. } | Layer::Note { .. } | Layer::Key { .. } => Ok(()),
             Layer::Cells { x, y, values } => self.cells(x, y, values),
         }
+    }
+
+    fn band(&self, points: &[(f64, Range<f64>)], stroke: &Stroke) -> Result<(), Error> {
+        let [x_range, y_range] = &self.layout.ranges;
+        let seen = || {
+            points.iter().filter(|(x, y)| {
+                x_range.start <= *x && *x <= x_range.end && y.start.is_finite() && y.end.is_finite()
+            })
+        };
+        let place = |x: f64, y: f64| self.layout.at((x, y.clamp(y_range.start, y_range.end)));
+        let lower = seen().map(|(x, y)| place(*x, y.start));
+        let upper = seen().map(|(x, y)| place(*x, y.end));
+        let corners: Vec<_> = lower.chain(upper.rev()).collect();
+        self.canvas.polygon(&corners, stroke.colour.mix(BAND))?;
+        let edge = stroke.width(0.5);
+        let side = |end: fn(&Range<f64>) -> f64| -> Vec<Point> {
+            points.iter().map(|(x, y)| (*x, end(y))).collect()
+        };
+        self.polyline(&side(|y| y.start), &edge)?;
+        self.polyline(&side(|y| y.end), &edge)
     }
 
     fn polyline(&self, points: &[Point], stroke: &Stroke) -> Result<(), Error> {
@@ -158,7 +169,10 @@ impl<DB: DrawingBackend> Page<'_, DB> {
                     (x + ahead * cos - aside * sin, y + ahead * sin + aside * cos)
                 };
                 let body = [place(9.0, 0.0), place(-6.0, 5.0), place(-6.0, -5.0)];
-                self.canvas.polygon(&body, colour.mix(0.65))
+                self.canvas.polygon(&body, colour.mix(0.5))?;
+                let [nose, ..] = body;
+                let outline: Vec<_> = body.into_iter().chain([nose]).collect();
+                self.canvas.line(&outline, &Stroke::new(colour, Dash::Solid).width(1.0))
             }
         }
     }
@@ -181,21 +195,20 @@ impl<DB: DrawingBackend> Page<'_, DB> {
                 .at((x.clamp(x_range.start, x_range.end), y.clamp(y_range.start, y_range.end)))
         };
         let columns = x.len().saturating_sub(1).max(1);
-        for (row, y) in colours.chunks(columns).zip(y.windows(2)) {
-            let &[low, high] = y else { continue };
-            let mut start = 0;
+        for (row, low) in colours.chunks(columns).zip(y) {
+            // Each rectangle reaches to the top and a pixel to the right, and the next covers what is too much: between neighbours that
+            // only touch, seams would show.
+            let mut column = 0;
             for run in row.chunk_by(|a, b| a == b) {
-                let end = start + run.len();
+                let end = column + run.len();
                 if let (Some(from), Some(to), Some(colour)) =
-                    (x.get(start), x.get(end), run.first())
+                    (x.get(column), x.get(end), run.first())
                 {
-                    let ((left, bottom), (right, top)) = (place(*from, low), place(*to, high));
-                    // Neighbours overlap a little, or renderers show seams.
-                    let overlap = 0.3;
-                    let corners = [(left, top - overlap), (right + overlap, bottom)];
-                    self.canvas.rectangle(corners, *colour)?;
+                    let ((left, bottom), (right, _)) = (place(*from, *low), place(*to, *low));
+                    let right = (right + 1.0).min(self.layout.right);
+                    self.canvas.rectangle([(left, self.layout.top), (right, bottom)], *colour)?;
                 }
-                start = end;
+                column = end;
             }
         }
         Ok(())
@@ -212,9 +225,7 @@ impl<DB: DrawingBackend> Page<'_, DB> {
         for i in 0..steps {
             let part = f64::from(i) / f64::from(steps);
             let value = bar.range.start + part * (bar.range.end - bar.range.start);
-            let next = height(part + 1.0 / f64::from(steps)) - 0.3;
-            self.canvas
-                .rectangle([(left, next.max(*top)), (right, height(part))], bar.colour(value))?;
+            self.canvas.rectangle([(left, *top), (right, height(part))], bar.colour(value))?;
         }
         self.frame([(left, *top), (right, *bottom)])?;
         let mut widest = 0.0_f64;
@@ -237,10 +248,11 @@ impl<DB: DrawingBackend> Page<'_, DB> {
                 Layer::Line { stroke, .. } => {
                     self.canvas.line(&[(*x, *y), (x + wide, *y)], stroke)?;
                 }
-                Layer::Band { colour, opacity, .. } => {
-                    let corners =
-                        [(*x, y - 5.0), (x + wide, y - 5.0), (x + wide, y + 5.0), (*x, y + 5.0)];
-                    self.canvas.polygon(&corners, colour.mix(*opacity))?;
+                Layer::Band { stroke, .. } => {
+                    let [low, high] = [y + 5.0, y - 5.0];
+                    let corners = [(*x, high), (x + wide, high), (x + wide, low), (*x, low)];
+                    self.canvas.polygon(&corners, stroke.colour.mix(BAND))?;
+                    self.canvas.line(&[(*x, *y), (x + wide, *y)], stroke)?;
                 }
                 Layer::Key { colour, .. } => {
                     self.canvas.rectangle([(*x, y - 5.0), (x + wide, y + 5.0)], *colour)?;

@@ -43,16 +43,12 @@ impl Figure {
                 Line::new("feedback u_b", of(|s| s.1)).stroke(Stroke::new(VERMILION, Dash::Dashed)),
             )
             .line(Line::new("learned u_n", of(|s| s.2)).stroke(Stroke::new(BLUE, Dash::Solid)));
+        let stroke = Stroke::new(BLUE, Dash::Solid);
         let mut learned =
             Self::over_time("learned part in %").size(640.0, 200.0)?.y_range(0.0..100.0);
         let band = part.iter().map(|(t, part)| (*t, 0.0..*part)).collect();
-        learned.layers.push(Layer::Band {
-            label: String::new(),
-            points: band,
-            colour: BLUE,
-            opacity: 0.3,
-        });
-        let learned = learned.line(Line::new("", part).stroke(Stroke::new(BLUE, Dash::Solid)));
+        learned.layers.push(Layer::Band { label: String::new(), points: band, stroke });
+        let learned = learned.line(Line::new("", part).stroke(stroke));
         Ok([signals, learned])
     }
 }

@@ -100,7 +100,8 @@ impl Recording {
         let names: Vec<_> = file.headers()?.iter().map(str::to_owned).collect();
         let mut rows = Vec::new();
         for (i, record) in file.records().enumerate() {
-            let fields = names.iter().zip(&record?).map(|(name, text)| {
+            let record = record?;
+            let fields = names.iter().zip(&record).map(|(name, text)| {
                 text.parse().map_err(|_| RecordingError::NotANumber {
                     row: i + 1,
                     column: name.clone(),

@@ -2,10 +2,7 @@
 
 use std::path::Path;
 
-use brunovsky::{
-    plot::{BLUE, Dash, Draw, Figure, GREY, Line, Stroke, VERMILION},
-    trajectory::Trajectory,
-};
+use brunovsky::plot::{BLUE, Dash, Draw, Figure, GREY, Line, ORANGE, Stroke, VERMILION};
 
 use super::{
     ON_TRACK, Path2, Sample, YAW_RATE_LIMIT,
@@ -14,6 +11,10 @@ use super::{
 
 const FLC: Stroke = Stroke::new(VERMILION, Dash::Dashed);
 const CLELC: Stroke = Stroke::new(BLUE, Dash::Solid);
+/// Noise has no room for dashes.
+const NOISY_FLC: Stroke = Stroke::new(VERMILION, Dash::Solid).width(1.0);
+const NOISY_CLELC: Stroke = Stroke::new(BLUE, Dash::Solid).width(1.0);
+const FEEDBACK: Stroke = Stroke::new(ORANGE, Dash::Solid).width(1.0);
 const COMMAND: Stroke = Stroke::new(GREY, Dash::Solid).width(1.0);
 
 fn line(label: &str, stroke: Stroke, rows: &[Row], f: impl Fn(&Row) -> f64) -> Line {
@@ -23,31 +24,37 @@ fn line(label: &str, stroke: Stroke, rows: &[Row], f: impl Fn(&Row) -> f64) -> L
 /// Draws all eight into `out`, and a look at the corner where FLC is farthest off.
 pub fn draw(out: &Path, path: &Path2, flc: &[Sample], clelc: &[Sample]) -> anyhow::Result<()> {
     let (flc, clelc) = (rows(flc)?, rows(clelc)?);
-    let route = |label: &str, rows: &[Row]| Line::new(label, rows.iter().map(|row| (row.px, row.py)));
-    let trajectory = |samples: usize| {
-        let reference = clelc.iter().map(|row| (row.rx, row.ry));
-        let figure = Figure::in_plane()
-            .line(Line::reference(reference))
-            .path(route("FLC", &flc).stroke(FLC))
-            .path(route("CLELC", &clelc).stroke(CLELC));
+    let route =
+        |label: &str, rows: &[Row]| Line::new(label, rows.iter().map(|row| (row.px, row.py)));
+    let routes = [route("FLC", &flc).stroke(FLC), route("CLELC", &clelc).stroke(CLELC)];
+    let trajectory = |samples: usize, route: fn(Figure, Line) -> Figure| {
+        let reference = Line::reference(clelc.iter().map(|row| (row.rx, row.ry)));
+        let figure = routes.iter().cloned().fold(Figure::in_plane().line(reference), route);
         [(&flc, FLC), (&clelc, CLELC)].into_iter().fold(figure, |figure, (rows, stroke)| {
             rows.iter().step_by(samples).skip(1).fold(figure, |figure, row| {
                 figure.vehicle((row.px, row.py), row.theta, stroke.colour)
             })
         })
     };
-    trajectory(100).save(out.join("trajectory.svg"))?;
+    trajectory(100, Figure::path).save(out.join("trajectory.svg"))?;
     let on_track = flc.iter().filter(|row| row.t >= ON_TRACK);
     if let Some(worst) = on_track.max_by(|a, b| a.error_true.total_cmp(&b.error_true)) {
-        trajectory(10).close_up((worst.rx, worst.ry), 1.5).save(out.join("corner.svg"))?;
+        trajectory(10, Figure::line)
+            .size(440.0, 400.0)?
+            .close_up((worst.rx, worst.ry), 1.5)
+            .save(out.join("corner.svg"))?;
     }
 
     let figure = |name: &str, label: &str, range, lines: &[Line]| {
         let figure = Figure::over_time(label).x_range(0.0..path.duration()).y_range(range);
         lines.iter().cloned().fold(figure, Figure::line).save(out.join(name))
     };
+    let errors = [
+        line("FLC", NOISY_FLC, &flc, |row| row.error),
+        line("CLELC", NOISY_CLELC, &clelc, |row| row.error),
+    ];
+    figure("error.svg", "Euclidean error in m", 0.0..0.5, &errors)?;
     let both = |f: fn(&Row) -> f64| [line("FLC", FLC, &flc, f), line("CLELC", CLELC, &clelc, f)];
-    figure("error.svg", "Euclidean error in m", 0.0..0.5, &both(|row| row.error))?;
     let heading_error = both(|row| row.theta_r - row.theta);
     figure("heading_error.svg", "heading error in rad", -0.2..0.2, &heading_error)?;
     let reference = |f: fn(&Row) -> f64| Line::reference(clelc.iter().map(|row| (row.t, f(row))));
@@ -56,7 +63,7 @@ pub fn draw(out: &Path, path: &Path2, flc: &[Sample], clelc: &[Sample]) -> anyho
     figure("heading.svg", "heading in rad", -1.6..2.4, &headings)?;
 
     let shares = |b: fn(&Row) -> f64, n: fn(&Row) -> f64| {
-        [line("learned u_n", CLELC, &clelc, n), line("feedback u_b", FLC, &clelc, b)]
+        [line("learned u_n", NOISY_CLELC, &clelc, n), line("feedback u_b", FEEDBACK, &clelc, b)]
     };
     let u1 = shares(|row| row.u1_b, |row| row.u1_n);
     figure("u1.svg", "u₁ of CLELC in m/s²", -0.05..0.05, &u1)?;
