@@ -13,6 +13,8 @@ pub(super) const SMALL: f64 = 11.5;
 pub(super) const NORMAL: f64 = 12.5;
 
 const EDGE: f64 = 8.0;
+/// The middle of the vertical axis' label, from the left.
+pub(super) const LABEL: f64 = EDGE + 0.7 * NORMAL;
 const ROW: f64 = 18.0;
 const SAMPLE: f64 = 28.0;
 
@@ -91,7 +93,7 @@ impl Layout {
 fn margin(ticks: &Ticks) -> Result<f64, Error> {
     let widths = ticks.places.iter().map(|(_, text)| width(text, SMALL));
     let widest = widths.collect::<Result<Vec<_>, _>>()?.into_iter().fold(0.0, f64::max);
-    Ok(EDGE + 1.5 * NORMAL + widest + 14.0)
+    Ok(EDGE + 1.4 * NORMAL + widest + 17.0)
 }
 
 fn events(figure: &Figure) -> bool {

@@ -11,7 +11,7 @@ use super::{
     canvas::{Align, Canvas, width},
     figure::{Layer, Shape},
     geometry::{Point, clipped},
-    layout::{Layout, NORMAL, SMALL},
+    layout::{LABEL, Layout, NORMAL, SMALL},
 };
 
 const WHITE: RGBColor = RGBColor(255, 255, 255);
@@ -73,9 +73,7 @@ impl<DB: DrawingBackend> Page<'_, DB> {
         if !self.layout.said.x_label {
             self.canvas.text(&x_axis.label(x.exponent), NORMAL, middle, Align::Centre)?;
         }
-        let widths = y.places.iter().map(|(_, text)| width(text, SMALL));
-        let widest = widths.collect::<Result<Vec<_>, _>>()?.into_iter().fold(0.0, f64::max);
-        let middle = (left - widest - 18.0, (top + bottom) / 2.0);
+        let middle = (LABEL, (top + bottom) / 2.0);
         self.canvas.text(&y_axis.label(y.exponent), NORMAL, middle, Align::Upwards)
     }
 
@@ -236,7 +234,7 @@ impl<DB: DrawingBackend> Page<'_, DB> {
             widest = widest.max(width(text, SMALL)?);
         }
         let axis = Axis::new(bar.label.clone(), 0.0);
-        let middle = (right + widest + 18.0, (top + bottom) / 2.0);
+        let middle = (right + widest + 21.0, (top + bottom) / 2.0);
         self.canvas.text(&axis.label(ticks.exponent), NORMAL, middle, Align::Upwards)
     }
 

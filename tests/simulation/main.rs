@@ -8,6 +8,7 @@ mod precisions;
 
 mod closed_loop;
 mod error_metrics;
+mod recording;
 mod step_info;
 mod total_variation;
 
