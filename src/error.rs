@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 
-use crate::Scalar;
+use crate::{Scalar, scalar::constant};
 
 /// Why a value was refused. Every variant names the quantity and carries its value.
 ///
@@ -148,6 +148,13 @@ pub(crate) fn not_negative<T: Scalar>(name: &'static str, x: T) -> Result<T, Err
     } else {
         Err(Error::Negative { name, value: value(x) })
     }
+}
+
+/// `x`, which is to be remembered, if differences with it over periods like `dt` are within the range of `T`: or else every sample after this
+/// one would be refused in its place. The factor is room for shorter periods, and for sums.
+pub(crate) fn remembered<T: Scalar>(name: &'static str, x: T, dt: T) -> Result<T, Error> {
+    finite(name, x / dt * constant(1024.0))?;
+    Ok(x)
 }
 
 /// `x`, if it lies below `limit`; both are finite already.

@@ -10,8 +10,8 @@ pub use crate::{
     integrators::{Euler, Heun, Integrator, Rk4},
     learning::{
         Antecedents, BackwardDifference, Certificate, Compensator, FilteredDifference,
-        GradientDescent, LearningMode, Measured, ModelAided, Monitor, NeuroFuzzy, NullCompensator,
-        NullRule, SlidingMode, Switching, Watchdog,
+        GradientDescent, Guarded, LearningMode, Measured, ModelAided, Monitor, NeuroFuzzy,
+        NullCompensator, NullRule, SlidingMode, Switching, Watchdog,
     },
     plant::{ControlAffine, FeedbackLinearizable, Plant, Uncertain},
     simulation::{ErrorMetrics, Simulation, StepInfo, TotalVariation},

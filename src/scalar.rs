@@ -18,3 +18,9 @@ pub(crate) fn constant<T: Scalar>(value: f64) -> T {
 pub(crate) fn epsilon<T: Scalar>() -> T {
     T::default_epsilon()
 }
+
+/// `x` after a step of `step` ≥ 0 toward zero; once there, −0, the number that changes no sum.
+pub(crate) fn faded<T: Scalar>(x: T, step: T) -> T {
+    let left = x.abs() - step;
+    if left > T::zero() { left.copysign(x) } else { -T::zero() }
+}

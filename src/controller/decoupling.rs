@@ -1,9 +1,10 @@
 use nalgebra::{ComplexField, SMatrix, SVector};
+use num_traits::One;
 
 use super::{Accept, ChainControllers, Command, Controller, Measurement, Reference};
 use crate::{
     Error, Scalar,
-    error::{finite_vector, positive, value},
+    error::{finite_vector, positive, remembered, value},
     learning::LearningMode,
     plant::Decouplable,
     scalar::{constant, epsilon},
@@ -90,6 +91,11 @@ where
     pub fn chains(&self) -> &C {
         &self.chains
     }
+
+    /// The controllers of the chains, to be changed.
+    pub fn chains_mut(&mut self) -> &mut C {
+        &mut self.chains
+    }
 }
 
 impl<P, C, const NX: usize, const N: usize, const M: usize> Controller<NX, M>
@@ -104,7 +110,8 @@ where
 
     /// # Errors
     /// [`Error::NotPositive`] for `dt`; [`Error::NonFiniteEntry`] for the measurement, a(x), the chains and u;
-    /// [`Error::IllConditioned`] for B(x); and those of the chains' controllers.
+    /// [`Error::IllConditioned`] for B(x); [`Error::NonFinite`] for a(x) and u that are too large to be remembered; and those of the chains'
+    /// controllers.
     fn update_if(
         &mut self,
         measurement: &Measurement<P::Scalar, NX, M>,
@@ -144,6 +151,10 @@ where
         let decided = self.chains.update_all(&told, reference, dt, &mut |decided| {
             let command = command(*decided);
             finite_vector("u", &command.u)?;
+            for (u, drift) in command.u.iter().zip(now.drift.iter()) {
+                remembered("u", *u, P::Scalar::one())?;
+                remembered("a(x)", *drift, P::Scalar::one())?;
+            }
             accept(&command)
         })?;
         let command = command(decided);

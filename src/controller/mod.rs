@@ -16,7 +16,8 @@
 //! `dt` is given at every call, in seconds, finite and > 0: the time since the call before (at the first call, the period that
 //! the loop will run at). The output is meant to be held until the next call.
 //!
-//! Whatever a call returns as `Err`, it leaves the controller exactly as it was before.
+//! Whatever a call returns as `Err`, it leaves the controller exactly as it was before. What a controller would remember and could not use at the
+//! next sample without leaving the range of the scalar is refused at once: an outlier costs one call, not all that follow.
 //!
 //! A controller is a value: a copy of it is a snapshot, and assigning the copy restores it, to the last bit.
 //!

@@ -5,6 +5,7 @@ use crate::{
     Error, Scalar,
     error::{finite_vector, positive},
     learning::LearningMode,
+    scalar::faded,
 };
 
 /// Who decides the input.
@@ -18,7 +19,7 @@ pub enum Mode {
 
 /// A controller and an operator, who takes over and hands back without a bump.
 ///
-/// Whenever the mode has changed, u(k) = u(k−1): the input stays where it was for a sample. From there on
+/// Whenever the mode has changed, u(k) = u(k−1) to rounding: the input stays where it was for a sample. From there on
 ///
 /// u = u_controller + w, where w moves to zero at the rate R:  |wᵢ(k)| = max(|wᵢ(k−1)| − Rᵢ·h, 0)
 ///
@@ -26,7 +27,10 @@ pub enum Mode {
 /// the input that it did not decide, as applied; [`ModelAided`](crate::learning::ModelAided) does not take w for an uncertainty, and a
 /// difference learns and unlearns it, if α exceeds B + b·R.
 ///
-/// In manual mode nothing can fail: the input is the operator's, whatever the sensors say. Taking over starts from the last input.
+/// In manual mode nothing can fail: the input is the operator's, whatever the sensors say. Taking over starts from the last input. Where
+/// sensors have failed, wait for one good sample before handing back: a difference reaches back to the last one.
+///
+/// An actuator's limits go around it, as [`Limited`](super::Limited) of this: they then hold for the operator and the offset too.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Supervised<C, T, const NU: usize> {
     controller: C,
@@ -78,7 +82,7 @@ impl<C, T: Scalar, const NU: usize> Supervised<C, T, NU> {
         Ok(Self { controller, fade, mode: Mode::Manual, manual: zero, offset: zero, last: None })
     }
 
-    /// Changes the mode, from the next sample on.
+    /// Changes the mode, from the next sample on. To select the present one changes nothing.
     pub fn select<const NX: usize>(&mut self, mode: Mode)
     where
         C: Controller<NX, NU, Scalar = T>,
@@ -87,7 +91,9 @@ impl<C, T: Scalar, const NU: usize> Supervised<C, T, NU> {
             Mode::Manual => LearningMode::Off,
             Mode::Automatic(learning) => learning,
         });
-        if let (Mode::Manual, Some((Mode::Automatic(_), u))) = (mode, self.last) {
+        if let (Mode::Automatic(_), Mode::Manual, Some((Mode::Automatic(_), u))) =
+            (self.mode, mode, self.last)
+        {
             self.manual = u;
         }
         self.mode = mode;
@@ -112,6 +118,11 @@ impl<C, T: Scalar, const NU: usize> Supervised<C, T, NU> {
     /// The controller inside.
     pub fn controller(&self) -> &C {
         &self.controller
+    }
+
+    /// The controller inside, to be changed. Its learning mode is that of [`select`](Self::select).
+    pub fn controller_mut(&mut self) -> &mut C {
+        &mut self.controller
     }
 }
 
@@ -153,16 +164,13 @@ impl<C, T: Scalar, const NU: usize> Supervised<C, T, NU> {
         C: Controller<NX, NU, Scalar = T>,
     {
         positive("dt", dt)?;
-        let (mode, last, fade) = (self.mode, self.last, self.fade);
-        let faded = self.offset.zip_map(&fade, |offset, fade| {
-            (offset.abs() - fade * dt).max(T::zero()).copysign(offset)
-        });
+        let (mode, last) = (self.mode, self.last);
+        let left = self.offset.zip_map(&self.fade, |offset, fade| faded(offset, fade * dt));
         let command = |asked: C::Command| {
             let u = asked.input();
             let offset = match last {
-                None => SVector::zeros(),
                 Some((before, last)) if before != mode => last - u,
-                Some(_) => faded,
+                _ => left,
             };
             SupervisedCommand { u: u + offset, mode, offset, asked: Ok(asked) }
         };

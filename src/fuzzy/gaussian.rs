@@ -40,9 +40,11 @@ impl<T: Scalar> Gaussian<T> {
         (m * m * crate::scalar::constant(-0.5)).exp()
     }
 
-    /// The same function moved by `by` along e.
+    /// The same function moved by `by` along e, as far as the range of `T` goes.
     pub(super) fn shifted(&self, by: T) -> Self {
-        Self { centre: self.centre + by, width: self.width }
+        let moved = self.centre + by;
+        let centre = T::max_value().map_or(moved, |most| moved.max(-most).min(most));
+        Self { centre, width: self.width }
     }
 
     /// The same function after the flow d ↦ d·e^{−τ}, M² ↦ M² + 2τ, as seen from an input at 0.
@@ -51,7 +53,9 @@ impl<T: Scalar> Gaussian<T> {
             return *self;
         }
         let m = self.distance(T::zero());
-        let centre = self.centre * (-tau).exp();
-        Self { centre, width: centre.abs() / (m * m + tau + tau).sqrt() }
+        let shrinking = (-tau).exp();
+        // M⁺²/M², in which an M² beyond the range of `T` does not move.
+        let growth = T::one() + (tau + tau) / (m * m);
+        Self { centre: self.centre * shrinking, width: self.width * shrinking / growth.sqrt() }
     }
 }

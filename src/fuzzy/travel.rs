@@ -57,7 +57,8 @@ impl<T: Scalar, const I: usize, const K: usize> Travel<T, I, K> {
 }
 
 impl<T: Scalar> Flowed<T> {
-    /// No flow yet, and as much to come as keeps M² within the bounds and d between ε⁴ and ε⁻⁴, well inside the range of `T`.
+    /// No flow yet, and as much to come as keeps M² within the bounds, by more than its rounding above 0, and d and σ between ε⁴ and ε⁻⁴, well
+    /// inside the range of `T`: σ = |d|/|M| with M² between the bounds.
     ///
     /// An input below the floor from the start is at the singularity of the law already: its memberships do not flow.
     fn within<const K: usize>(row: &[Gaussian<T>; K], floor: T, ceiling: T) -> Self {
@@ -68,12 +69,14 @@ impl<T: Scalar> Flowed<T> {
             return Self { by: zero, least: zero, most: zero };
         }
         let (nearest, farthest) = extremes(&row.map(|membership| membership.centre().abs()));
-        // ln ε⁻⁴ less the greatest |ln d|.
-        let reach = -(epsilon::<T>().powi(4) * farthest.max(nearest.recip())).ln();
+        // ln ε⁻⁴ less the greatest |ln d| and |ln M²|.
+        let extreme = farthest.max(nearest.recip()) * ceiling.max(floor.recip());
+        let reach = -(epsilon::<T>().powi(4) * extreme).ln();
         let half = constant::<T>(0.5);
+        let vanishing = lowest * (epsilon::<T>() * constant(4.0) - half);
         Self {
             by: zero,
-            least: ((floor - lowest) * half).max(-reach).min(zero),
+            least: ((floor - lowest) * half).max(vanishing).max(-reach).min(zero),
             most: ((ceiling - highest) * half).min(reach).max(zero),
         }
     }

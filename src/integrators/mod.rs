@@ -47,7 +47,7 @@ pub trait Integrator {
     ///
     /// # Errors
     /// [`Error::NotPositive`] for a `duration` or number of `steps` that is not positive, [`Error::NonFinite`] and
-    /// [`Error::NonFiniteEntry`] for a time or state that is not finite, at the start or after any step.
+    /// [`Error::NonFiniteEntry`] for a time or state that is not finite, at the start or end of any step.
     fn integrate<T: Scalar, const N: usize>(
         &self,
         mut f: impl FnMut(T, &SVector<T, N>) -> SVector<T, N>,
@@ -62,7 +62,9 @@ pub trait Integrator {
         let h = duration / positive("steps", constant::<T>(steps.into()))?;
         let mut x = *x;
         for j in 0..steps {
-            x = self.step(&mut f, t + h * constant(j.into()), &x, h);
+            let start = t + h * constant(j.into());
+            finite("t", start + h)?;
+            x = self.step(&mut f, start, &x, h);
             finite_vector("x", &x)?;
         }
         Ok(x)

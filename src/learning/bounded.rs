@@ -7,21 +7,24 @@ use crate::{
     fuzzy::{Firing, FuzzyNetwork, Grid, Inputs},
 };
 
-/// Any rule with its output projected onto |u_n| ≤ U and, if wanted, |u_n(k) − u_n(k−1)| ≤ R·h: what is learned beyond is taken back
-/// along w̃.
+/// Any rule with limits on what it learns: |u_n| ≤ U and, if wanted, a step of u_n of at most R·h in a period.
+///
+/// Where the rule would go beyond, the consequents move along w̃ alone, just as far as the limits allow:
+///
+/// u_n⁺ = u_n + clamp(step, −R·h, R·h), then clamped to \[−U, U\]; a step beyond the range of the scalar is not taken.
 ///
 /// U is the largest |Δ| that the plant can have, or the most that the actuator has to give for it. A learner that winds up can do no more
-/// harm than U; a U below |Δ| leaves the rest to the feedback.
+/// harm than U; a U below |Δ| leaves the rest to the feedback. U holds for a frozen u_n as well.
 ///
-/// R is for rules with no limit of their own: under [`SlidingMode`](super::SlidingMode) u_n moves by at most αh a period anyway, while
-/// under [`GradientDescent`](super::GradientDescent) the step grows with s, so one outlier of a sensor moves it arbitrarily far. An R below
-/// the rate of Δ leaves a lag to the feedback.
+/// R is for rules with no limit of their own: under [`SlidingMode`](super::SlidingMode) the step is αh at the most anyway, while under
+/// [`GradientDescent`](super::GradientDescent) it grows with s, so one outlier of a sensor moves u_n arbitrarily far. An R below the
+/// rate of Δ leaves a lag to the feedback. It limits learning: with [`Fixed`](super::Antecedents::Fixed) antecedents u_n also moves when e
+/// does, by what is known already. A [`RateLimit`](crate::actuator::RateLimit) limits the input itself.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bounded<R, T> {
     rule: R,
     bound: T,
     rate: Option<T>,
-    last: Option<T>,
 }
 
 impl<R, T: Scalar> Bounded<R, T> {
@@ -30,10 +33,10 @@ impl<R, T: Scalar> Bounded<R, T> {
     /// # Errors
     /// [`Error::NotPositive`] or [`Error::NonFinite`].
     pub fn new(rule: R, bound: T) -> Result<Self, Error> {
-        Ok(Self { rule, bound: positive("bound", bound)?, rate: None, last: None })
+        Ok(Self { rule, bound: positive("bound", bound)?, rate: None })
     }
 
-    /// The same rule with u_n moving at `rate` R > 0 at the most, in the units of ẋ_n per second.
+    /// The same rule with u_n learned at `rate` R > 0 at the most, in the units of ẋ_n per second.
     ///
     /// # Errors
     /// [`Error::NotPositive`] or [`Error::NonFinite`].
@@ -43,6 +46,14 @@ impl<R, T: Scalar> Bounded<R, T> {
 
     fn clamped(&self, u_n: T) -> T {
         u_n.max(-self.bound).min(self.bound)
+    }
+
+    /// What a step from `last` to `u_n` is cut down to.
+    fn limited(&self, last: T, u_n: T, dt: T) -> T {
+        self.clamped(match self.rate {
+            None => u_n,
+            Some(rate) => u_n.max(last - rate * dt).min(last + rate * dt),
+        })
     }
 }
 
@@ -62,18 +73,21 @@ where
         s: T,
         dt: T,
     ) {
-        // Before the first sample u_n is what the network was given with.
-        let last = self.clamped(self.last.unwrap_or_else(|| network.output(firing)));
-        self.rule.adapt(network, firing, s, dt);
-        let learned = network.output(firing);
-        let u_n = match self.rate.map(|rate| rate * dt) {
-            None => self.clamped(learned),
-            Some(reach) => self.clamped(learned.max(last - reach).min(last + reach)),
-        };
-        let excess = learned - u_n;
-        if !excess.is_zero() {
-            network.move_consequents(firing, -excess / firing.norm_squared());
+        let last = self.output(network, firing);
+        let mut learned = *network;
+        self.rule.adapt(&mut learned, firing, s, dt);
+        let free = self.rule.output(&learned, firing);
+        let u_n = if free.is_finite() { self.limited(last, free, dt) } else { last };
+        // A step that is cut starts again from before it: taking the excess back would leave the rounding of an arbitrarily large number.
+        if u_n == free {
+            *network = learned;
+        } else {
+            let step = u_n - self.rule.output(network, firing);
+            network.move_consequents(firing, step / firing.norm_squared());
         }
-        self.last = Some(u_n);
+    }
+
+    fn output(&self, network: &FuzzyNetwork<T, I, K>, firing: &Firing<T, I, K>) -> T {
+        self.clamped(self.rule.output(network, firing))
     }
 }

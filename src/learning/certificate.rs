@@ -33,14 +33,21 @@ impl<T: Scalar> Certificate<T> {
     /// For learning rate α > 0, a discretized sign with its δ, period h = `dt` > 0 in seconds and |Δ̇| ≤ `bound` = B ≥ 0.
     ///
     /// # Errors
-    /// [`Error::NotPositive`], [`Error::Negative`] or [`Error::NonFinite`] for a parameter out of range.
+    /// [`Error::NotPositive`], [`Error::Negative`] or [`Error::NonFinite`] for a parameter out of range, or for αh, B·h or a residual out of
+    /// that of `T`.
     pub fn new(alpha: T, switching: Switching<T>, dt: T, bound: T) -> Result<Self, Error> {
-        Ok(Self {
+        let certificate = Self {
             alpha: positive("alpha", alpha)?,
             switching: switching.validated()?,
             dt: positive("dt", dt)?,
             bound: not_negative("bound on the rate of the uncertainty", bound)?,
-        })
+        };
+        positive("alpha*dt", alpha * dt)?;
+        finite("bound*dt", bound * dt)?;
+        if let Some(residual) = certificate.residual() {
+            finite("residual", residual)?;
+        }
+        Ok(certificate)
     }
 
     /// α > B: learning is faster than what it has to learn. Without this nothing below is promised.
@@ -51,10 +58,11 @@ impl<T: Scalar> Certificate<T> {
     /// t_h = |s(0)|/(α − B) in seconds, within which s reaches zero under the ideal sign (eq_th2); `None` unless α > B.
     ///
     /// # Errors
-    /// [`Error::NonFinite`] for an s(0) that is not finite.
+    /// [`Error::NonFinite`] for an s(0) that is not finite, or a time beyond the range of `T`.
     pub fn reaching_time(&self, s0: T) -> Result<Option<T>, Error> {
         let size = finite("s(0)", s0)?.abs();
-        Ok(self.holds().then(|| size / (self.alpha - self.bound)))
+        let time = self.holds().then(|| size / (self.alpha - self.bound));
+        time.map(|time| finite("reaching time", time)).transpose()
     }
 
     /// δB/(α − B): what remains of |s| under the smoothed sign in continuous time, where α|s|/(|s| + δ) = B; `None` unless
@@ -76,16 +84,38 @@ impl<T: Scalar> Certificate<T> {
         })
     }
 
+    /// How long it takes at most, in seconds, until a jump of Δ by `jump` = J > 0 has left no more than `within` = ε > 0 of itself in |s|, beyond
+    /// the [`residual`](Self::residual):
+    ///
+    /// (J + (r₀ + δ)·L)/(α − B) + (2 + L/2)·h, L = ln(J/ε) if δ > 0 and J > ε, else 0, and r₀ the
+    /// [boundary layer's residual](Self::boundary_layer_residual); `None` unless α > B.
+    ///
+    /// What the jump has left is d = |s| − r₀. While Δ̇ = −B a step takes d to the d⁺ of d − d⁺ = (α − B)h·d⁺/(d⁺ + r₀ + δ), which sums up to
+    /// this by x ≤ (1 + x/2)·ln(1 + x); the explicit sign is faster.
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`] or [`Error::NonFinite`] for either.
+    pub fn recovery_time(&self, jump: T, within: T) -> Result<Option<T>, Error> {
+        let ratio = positive("jump", jump)? / positive("within", within)?;
+        let delta = self.switching.delta();
+        let log = if delta > T::zero() { ratio.ln().max(T::zero()) } else { T::zero() };
+        Ok(self.boundary_layer_residual().map(|layer| {
+            let periods = constant::<T>(2.0) + log * constant(0.5);
+            (jump + (layer + delta) * log) / (self.alpha - self.bound) + periods * self.dt
+        }))
+    }
+
     /// The bound on |e₁| that |s| ≤ [`residual`](Self::residual) implies once transients have died out: residual/λⁿ, for gains with
     /// all `order` = n poles at −λ; `None` unless α > B.
     ///
     /// As e₁ = s/(p + λ)ⁿ has a positive impulse response, its steady-state gain 1/λⁿ bounds it for every s, slow or fast.
     ///
     /// # Errors
-    /// [`Error::NotPositive`] or [`Error::NonFinite`] for `lambda`.
+    /// [`Error::NotPositive`] or [`Error::NonFinite`] for `lambda`, [`Error::NonFinite`] for a bound beyond the range of `T`.
     pub fn tracking_bound(&self, lambda: T, order: i32) -> Result<Option<T>, Error> {
         positive("lambda", lambda)?;
-        Ok(self.residual().map(|residual| residual / lambda.powi(order)))
+        let bound = self.residual().map(|residual| residual / lambda.powi(order));
+        bound.map(|bound| finite("tracking bound", bound)).transpose()
     }
 
     /// αh/δ; infinite for δ = 0.

@@ -9,11 +9,11 @@
 //!
 //! | piece | what it decides | choices |
 //! |---|---|---|
-//! | [`ErrorRate`] | where ė_n comes from | [`Measured`], [`BackwardDifference`], [`FilteredDifference`], [`ModelAided`]; [`Conditional`] around any |
+//! | [`ErrorRate`] | where ė_n comes from | [`Measured`], [`BackwardDifference`], [`FilteredDifference`], [`ModelAided`]; [`Conditional`] around any, [`Redundant`] around two |
 //! | [`AdaptationRule`] | how the network moves | [`SlidingMode`], [`GradientDescent`], [`NullRule`]; [`Bounded`] around any |
 //! | [`Switching`] | how sgn(s) is discretized | `Explicit`, `Implicit`, `SetValued` |
 //! | [`Antecedents`] | whether the memberships move | `Fixed`, `Flow` |
-//! | [`Compensator`] | all of it together: e, u_b, … ↦ u_n | [`NeuroFuzzy`], [`NullCompensator`] |
+//! | [`Compensator`] | all of it together: e, u_b, … ↦ u_n | [`NeuroFuzzy`], [`NullCompensator`]; [`Guarded`] around any |
 //! | [`LearningMode`] | whether u_n is learned, and whether it is used | `Off`, `Frozen`, `Active` |
 //! | [`Certificate`] | what theory promises | |
 //! | [`Monitor`], [`Watchdog`] | whether it holds: at each sample, and for how long not | |
@@ -29,6 +29,7 @@ mod closed_loop;
 mod compensator;
 mod error_rate;
 mod gradient_descent;
+mod guarded;
 mod mode;
 mod monitor;
 mod neuro_fuzzy;
@@ -43,9 +44,10 @@ pub use certificate::Certificate;
 pub use closed_loop::ClosedLoop;
 pub use compensator::{Compensation, Compensator, NullCompensator};
 pub use error_rate::{
-    BackwardDifference, Conditional, ErrorRate, FilteredDifference, Measured, ModelAided,
+    BackwardDifference, Conditional, ErrorRate, FilteredDifference, Measured, ModelAided, Redundant,
 };
 pub use gradient_descent::GradientDescent;
+pub use guarded::Guarded;
 pub use mode::LearningMode;
 pub use monitor::{Monitor, Verdict};
 pub use neuro_fuzzy::NeuroFuzzy;

@@ -38,16 +38,17 @@ impl<T: Scalar> Monitor<T> {
     /// Judges the next s.
     ///
     /// # Errors
-    /// [`Error::NonFinite`] for an s that is not finite; the monitor is then as before.
+    /// [`Error::NonFinite`] for an s that is not finite, or a bound on it beyond the range of `T`; the monitor is then as before.
     pub fn update(&mut self, s: T) -> Result<Verdict<T>, Error> {
         let size = finite("s", s)?.abs();
         let possible = match self.possible {
             None => size + self.slack,
             Some(last) => self.certificate.worst_noisy(last, self.slack),
         };
-        let allowed = possible + self.slack;
+        let allowed = finite("allowed s", possible + self.slack)?;
         let holds = size <= allowed;
-        self.possible = Some(if holds { possible } else { size + self.slack });
+        let possible = if holds { possible } else { finite("possible s", size + self.slack)? };
+        self.possible = Some(possible);
         Ok(Verdict { allowed, holds })
     }
 

@@ -59,14 +59,14 @@ where
         // What is not in the loop is not in s either; −0 changes no sum.
         let known = match at.learning {
             LearningMode::Off => -T::zero(),
-            LearningMode::Frozen | LearningMode::Active => next.network.output(&firing),
+            LearningMode::Frozen | LearningMode::Active => next.rule.output(&next.network, &firing),
         };
         let s = finite("s", next.error_rate.error_rate(at, known, dt)? + at.u_b)?;
         let u_n = match at.learning {
             LearningMode::Off | LearningMode::Frozen => known,
             LearningMode::Active => {
                 next.rule.adapt(&mut next.network, &firing, s, dt);
-                next.network.output(&firing)
+                next.rule.output(&next.network, &firing)
             }
         };
         finite("u_n", u_n)?;

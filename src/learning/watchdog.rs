@@ -7,12 +7,16 @@ use crate::{
 /// Trips when |s| has been above what a [`Certificate`] allows for too long.
 ///
 /// From the first |s| on it carries along the bound that |Δ̇| ≤ B implies, down to the residual. A jump of Δ lifts |s| above it, and
-/// learning brings |s| back within |jump|/(α − B): the patience should be that of the largest jump to be expected. What stays above for
-/// longer is a learner that does not do its work: ė_n is wrong, the actuator is saturated, Δ is faster than B, or b(x) has the wrong
-/// sign.
+/// learning brings |s| back: the patience should be the [recovery time](Certificate::recovery_time) of the largest jump to be expected, the
+/// slack by its `within` larger than s may be off. What stays above for longer is a learner that does not do its work: ė_n is wrong, the
+/// input does not arrive, Δ is faster than B, or the model's b(x) is far off.
+/// Its clock runs back while |s| is within the bound: an s that swings through zero does not stop it, and jumps may follow one another when
+/// |s| has been within for as long as it was not.
 ///
-/// It only says so. What follows is the loop's decision: go on and tell somebody, or fall back to plain feedback with
-/// [`Supervised`](crate::controller::Supervised).
+/// The certificate says nothing of samples at which nothing is learned. Where u_n also moves with e, because the antecedents are
+/// [`Fixed`](super::Antecedents::Fixed), B has to cover that too.
+///
+/// It only says so. [`Guarded`](super::Guarded) puts it on a compensator, with the fall-back to plain feedback.
 ///
 /// A [`Monitor`](super::Monitor) reports every single violation instead, and takes each for a new start.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -30,7 +34,7 @@ pub struct Watchdog<T> {
 pub struct Watch<T> {
     /// The largest |s| that the certificate allows at this sample.
     pub allowed: T,
-    /// For how many seconds |s| has been above that, without a break.
+    /// For how many seconds |s| has been above that, less those for which it was not.
     pub late: T,
     /// Whether that has been too long, at this sample or at one before.
     pub tripped: bool,
@@ -56,19 +60,25 @@ impl<T: Scalar> Watchdog<T> {
     /// Judges the next s. Once it has tripped it stays so until [`reset`](Self::reset).
     ///
     /// # Errors
-    /// [`Error::NonFinite`] for an s that is not finite; the watchdog is then as before.
+    /// [`Error::NonFinite`] for an s that is not finite, or a bound on it or a time beyond the range of `T`; the watchdog is then as before.
     pub fn update(&mut self, s: T) -> Result<Watch<T>, Error> {
         let size = finite("s", s)?.abs();
         let possible = match self.possible {
             None => size + self.slack,
             Some(last) => self.certificate.worst_noisy(last, self.slack),
         };
-        let allowed = possible + self.slack;
-        // Added up only while it matters: a long violation cannot stall in rounding.
-        self.late = if size <= allowed { T::zero() } else { self.late + self.certificate.dt() };
+        let allowed = finite("allowed s", possible + self.slack)?;
+        let dt = self.certificate.dt();
+        let late = if size > allowed { self.late + dt } else { (self.late - dt).max(T::zero()) };
+        self.late = finite("time above the bound", late)?;
         self.tripped |= self.late > self.patience;
         self.possible = Some(possible);
         Ok(Watch { allowed, late: self.late, tripped: self.tripped })
+    }
+
+    /// Whether it has tripped.
+    pub fn tripped(&self) -> bool {
+        self.tripped
     }
 
     /// Forgets the samples so far, and that it had tripped.

@@ -70,13 +70,17 @@ impl<T: Scalar> StepInfo<T> {
     /// Takes the next sample y(t).
     ///
     /// # Errors
-    /// [`Error::NonFinite`] for either, [`Error::NotBelow`] if time does not advance; the sample is then not taken.
+    /// [`Error::NonFinite`] for either or for a figure that leaves the range of `T`, [`Error::NotBelow`] if time does not advance; the
+    /// sample is then not taken.
     pub fn push(&mut self, t: T, y: T) -> Result<(), Error> {
         finite("t", t)?;
         let eta = finite("normalized y", (finite("y", y)? - self.initial) / self.span)?;
         if let Some((before, _)) = self.last {
             below("time of the sample before", before, t)?;
+            finite("time since the first sample", t - self.start)?;
         }
+        finite("normalized y in percent", eta * constant(100.0))?;
+        finite("y_final - y", (T::one() - eta) * self.span)?;
         let from = self.last.unwrap_or((t, eta));
         let to = (t, eta);
         if self.last.is_none() {

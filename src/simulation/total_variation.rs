@@ -29,10 +29,11 @@ impl<T: Scalar> TotalVariation<T> {
     /// Takes the next sample.
     ///
     /// # Errors
-    /// [`Error::NonFinite`]; the sample is then not taken.
+    /// [`Error::NonFinite`] for it or for a sum that leaves the range of `T`; the sample is then not taken.
     pub fn push(&mut self, u: T) -> Result<(), Error> {
-        let last = self.last.replace(finite("u", u)?).unwrap_or(u);
-        self.sum += (u - last).abs();
+        let last = self.last.unwrap_or(finite("u", u)?);
+        let sum = finite("total variation", self.sum + (u - last).abs())?;
+        *self = Self { last: Some(u), sum };
         Ok(())
     }
 

@@ -10,10 +10,13 @@ mod clelc;
 mod decoupling;
 mod feedback_linearization;
 mod gains;
+mod learning_mode;
 mod limited;
 mod measurement;
 mod paper;
 mod reference;
+mod snapshot;
+mod supervised;
 mod support;
 mod unicycle;
 

@@ -86,6 +86,20 @@ fn refuses_bad_arguments<T: Scalar>(method: &impl Integrator) {
     }
 }
 
+/// A step that would end beyond the range of the scalar is not taken: the field is never asked for such a time.
+fn refuses_a_time_beyond_the_range<T: Scalar>(method: &impl Integrator) {
+    let most = T::max_value().unwrap();
+    let still = |t: T, _: &SVector<T, 1>| {
+        assert!(t.is_finite());
+        SVector::zeros()
+    };
+    for (t, duration, steps) in [(most, most, 1), (most, most, 3), (T::zero(), most, 3)] {
+        // Three thirds of the greatest number may round to more than it.
+        let found = method.integrate(still, t, &SVector::zeros(), duration, steps);
+        assert!(t.is_zero() || matches!(found, Err(Error::NonFinite { name: "t", .. })));
+    }
+}
+
 /// ẋ = x² from 1 has a pole at t = 1. A step past it at least squares x, so a dozen more leave the range of any scalar.
 fn reports_a_blow_up<T: Scalar>(method: &impl Integrator) {
     let num = nalgebra::convert::<f64, T>;
@@ -112,6 +126,12 @@ macro_rules! methods {
     ($($module:ident: $method:expr),+ $(,)?) => {
         $(mod $module {
             use super::*;
+
+            #[test]
+            fn a_time_beyond_the_range_is_refused() {
+                refuses_a_time_beyond_the_range::<f32>(&$method);
+                refuses_a_time_beyond_the_range::<f64>(&$method);
+            }
 
             #[test]
             fn arguments_out_of_range_are_refused_by_name() {

@@ -16,6 +16,7 @@ in_both_precisions! {
     the_flow_stops_at_both_bounds_and_comes_back,
     memberships_beyond_the_ceiling_stay_until_the_flow_leads_back,
     the_flow_stops_before_the_distance_leaves_the_range,
+    no_flow_makes_a_membership_function_that_is_none,
     an_input_on_a_centre_holds_its_distances_and_only_travels,
     an_input_near_a_centre_holds_below_the_floor,
     fixed_memberships_stay_bit_for_bit,
@@ -191,6 +192,37 @@ fn the_flow_stops_before_the_distance_leaves_the_range<T: Scalar>() {
         assert!(reached.centre().is_finite() && reached.centre() > T::zero());
         assert!(reached.width().is_finite() && reached.width() > T::zero());
         assert_ne!(reached, row[0][0]);
+    }
+}
+
+/// Centres stay finite, and widths finite and positive: where M² is beyond the range, or the width would be, or the floor is less than the
+/// rounding of M², or input and centre are farther apart than the range reaches.
+fn no_flow_makes_a_membership_function_that_is_none<T: Scalar>() {
+    let most = T::max_value().unwrap();
+    let power = |exponent: f64| (most.ln() * real(exponent)).exp();
+    let (zero, one, end) = (T::zero(), T::one(), power(0.98));
+    for (e, row, floor, ceiling, s) in [
+        (zero, [(one, one), (one, power(-0.6))], real(0.01), real(100.0), -FULL),
+        (zero, [(power(-0.25), power(-0.7)); 2], real(0.01), end, FULL),
+        (zero, [(one, one); 2], one / end, one, -FULL),
+        (zero, [(power(0.7), power(0.7)); 2], one / end, one, -FULL),
+        (end, [(-end, one), (one, one)], real(0.01), real(100.0), -FULL),
+        (-end, [(end, one), (end, end)], real(0.01), real(100.0), FULL),
+    ] {
+        let row = row.map(|(centre, width)| Gaussian::new(centre, width).unwrap());
+        let antecedents = Antecedents::Flow { floor, ceiling };
+        let rule = SlidingMode::new(one).unwrap().with_antecedents(antecedents).unwrap();
+        let mut learner = Learner { network: FuzzyNetwork::<T, 1, 2>::new([row]), rule };
+        for _ in 0..1000 {
+            learner.step(SVector::from([e]), real(s), one);
+        }
+        for membership in learner.network.memberships().as_flattened() {
+            let (centre, width) = (membership.centre(), membership.width());
+            assert!(
+                centre.is_finite() && width.is_finite() && width > zero,
+                "{row:?} {membership:?}"
+            );
+        }
     }
 }
 

@@ -19,6 +19,7 @@ in_both_precisions! {
     the_tracking_bound_divides_by_the_steady_state_gain,
     the_set_valued_sign_has_no_boundary_layer,
     a_parameter_out_of_range_is_refused,
+    what_parameters_in_range_make_out_of_range_is_refused,
 }
 
 fn certificate<T: Scalar>(switching: Switching<T>, bound: f64) -> Certificate<T> {
@@ -57,6 +58,7 @@ fn nothing_is_promised_unless_learning_is_faster_than_the_uncertainty<T: Scalar>
                 certificate.reaching_time(T::one()).unwrap(),
                 certificate.boundary_layer_residual(),
                 certificate.residual(),
+                certificate.recovery_time(T::one(), T::one()).unwrap(),
                 certificate.tracking_bound(T::one(), 3).unwrap(),
             ];
             assert!(promises.iter().all(|promise| promise.is_some() == holds));
@@ -124,6 +126,32 @@ fn a_parameter_out_of_range_is_refused<T: Scalar>() {
     assert_eq!(explicit.unwrap_err(), Error::NotPositive { name: "delta", value: 0.0 });
 }
 
+/// αh would be infinite or 0, B·h and the residual δB/(α − B) infinite: what a monitor carries along would be NaN.
+fn what_parameters_in_range_make_out_of_range_is_refused<T: Scalar>() {
+    let most = T::max_value().unwrap();
+    let (big, small, one) = (most.sqrt() * real(4.0), real::<T>(0.25) / most.sqrt(), T::one());
+    let small = small * T::default_epsilon();
+    let implicit = |delta| Switching::Implicit { delta };
+    for (alpha, delta, dt, bound, expected) in [
+        (big, one, big, one, "alpha*dt"),
+        (small, one, small, T::zero(), "alpha*dt"),
+        (one, one, big, big, "bound*dt"),
+        (real(4.0), most, one, real(3.0), "residual"),
+    ] {
+        match Certificate::new(alpha, implicit(delta), dt, bound) {
+            Err(Error::NonFinite { name, .. } | Error::NotPositive { name, .. }) => {
+                assert_eq!(name, expected);
+            }
+            other => panic!("{expected}: {other:?}"),
+        }
+    }
+    let certificate = Certificate::new(one, implicit(one), one, real(0.5)).unwrap();
+    let time = certificate.reaching_time(most);
+    assert!(matches!(time, Err(Error::NonFinite { name: "reaching time", .. })));
+    let bound = certificate.tracking_bound(small, 3);
+    assert!(matches!(bound, Err(Error::NonFinite { name: "tracking bound", .. })));
+}
+
 /// The adversary moves Δ as it likes within its bound; once transients have died out, |s| is below the residual, to rounding.
 /// For B = 24 the approach is slowest: 1 − (1 − B/α)²·αh/δ = 0.9992 a step for δ = 0.5, so 40000 steps leave e⁻³² of it.
 #[test]
@@ -181,6 +209,28 @@ fn the_sampled_loop_reaches_the_residual_in_the_reaching_time() {
         let left = later.fold(0.0, |left: f64, s| left.max(s.abs()));
         prop_assert!(left <= certificate.residual().unwrap() + 1e-12);
     });
+}
+
+/// A jump of Δ in the worst of directions, from the residual: after the recovery time |s| is within ε of the residual again, whatever Δ does.
+#[test]
+fn a_jump_has_left_no_more_than_was_asked_for_after_the_recovery_time() {
+    for (switching, bound) in SWITCHINGS.into_iter().flat_map(|s| [(s, 0.0), (s, 5.0), (s, 20.0)]) {
+        let certificate = certificate(switching, bound);
+        let residual = certificate.residual().unwrap();
+        for (jump, within) in [(0.01, 1e-3), (8.0, 0.1), (8.0, 1e-6), (0.1, 1.0)] {
+            let time = certificate.recovery_time(jump, within).unwrap().unwrap();
+            let samples = (time / PERIOD).floor() as usize;
+            for kind in 0..DISTURBANCES {
+                let s = trajectory(switching, residual + jump, bound * PERIOD, kind, 3000, |_| 0.0);
+                let left = s.skip(samples).fold(0.0, |left: f64, s| left.max(s.abs()));
+                assert!(left <= residual + within + 1e-12, "{switching:?}, B = {bound}, {kind}");
+            }
+        }
+    }
+    for (jump, within, name) in [(0.0, 1.0, "jump"), (1.0, 0.0, "within")] {
+        let refused = certificate(Switching::SetValued, 5.0).recovery_time(jump, within);
+        assert_eq!(refused, Err(Error::NotPositive { name, value: 0.0 }));
+    }
 }
 
 /// Below the ratio of two a simulated explicit step dies out, above it |s| settles at the amplitude.

@@ -1,6 +1,6 @@
 use brunovsky::{
     Error, Scalar,
-    learning::{Certificate, Monitor, Switching, Verdict},
+    learning::{Certificate, Monitor, Switching, Verdict, Watchdog},
 };
 
 use crate::support::{
@@ -17,6 +17,7 @@ in_both_precisions! {
     a_reset_monitor_is_a_new_one,
     an_s_that_is_not_finite_is_refused,
     a_slack_that_is_negative_or_not_finite_is_refused,
+    a_bound_beyond_the_range_is_refused,
 }
 
 /// The same discretization with its δ in `T`.
@@ -165,6 +166,29 @@ fn a_slack_that_is_negative_or_not_finite_is_refused<T: Scalar>() {
     for bad in NOT_FINITE {
         assert!(matches!(attempt(bad), Error::NonFinite { name: "slack", .. }));
     }
+}
+
+/// |s| and the slack are finite, and their sum is not; nor would be the time above the bound.
+fn a_bound_beyond_the_range_is_refused<T: Scalar>() {
+    let most = T::max_value().unwrap();
+    let certificate = |dt| Certificate::new(T::one(), Switching::SetValued, dt, T::zero()).unwrap();
+    let monitor = Monitor::new(certificate(T::one()), most * real(0.4)).unwrap();
+    let watchdog = Watchdog::new(certificate(T::one()), most * real(0.4), T::zero()).unwrap();
+    let (mut monitored, mut watched) = (monitor, watchdog);
+    let error = |found| matches!(found, Err(Error::NonFinite { name: "allowed s", .. }));
+    assert!(error(monitored.update(most).map(|verdict| verdict.allowed)));
+    assert!(error(watched.update(most).map(|watch| watch.allowed)));
+    assert_eq!((monitored, watched), (monitor, watchdog));
+    assert!(monitored.update(T::one()).unwrap().holds);
+    assert!(watched.update(T::one()).unwrap().allowed.is_finite());
+
+    let mut late = Watchdog::new(certificate(most * real(0.75)), T::zero(), most).unwrap();
+    late.update(T::zero()).unwrap();
+    late.update(T::one()).unwrap();
+    let before = late;
+    let error = late.update(T::one());
+    assert!(matches!(error, Err(Error::NonFinite { name: "time above the bound", .. })));
+    assert_eq!(late, before);
 }
 
 /// Noise does not add up in s. With |noise| ≤ slack and the set-valued sign, |s(k+1)| ≤ slack + B·h once |s(k)| ≤ slack +

@@ -182,10 +182,30 @@ fn bad_samples_and_ends_are_refused<T: Scalar>() {
     assert!(matches!(span, Err(Error::NonFinite { name: "y_final - y_init", .. })));
 }
 
+/// Times, ordinates and spans that are finite, and a rise time, an overshoot or a steady-state error that would not be.
+fn figures_beyond_the_range_are_refused<T: Scalar>() {
+    let most = T::max_value().unwrap();
+    let half = most * num(0.5);
+    for (y_final, first, second) in [
+        (T::one(), (-most, T::zero()), (most, T::one())),
+        (T::one(), (T::zero(), T::zero()), (T::one(), half)),
+        (half, (T::zero(), T::zero()), (T::one(), -most)),
+    ] {
+        let mut info = StepInfo::new(T::zero(), y_final).unwrap();
+        info.push(first.0, first.1).unwrap();
+        let before = info;
+        assert!(matches!(info.push(second.0, second.1), Err(Error::NonFinite { .. })));
+        assert_eq!(info, before);
+        info.push(first.0 * num(0.5) + T::one(), y_final).unwrap();
+        assert!(info.rise_time().unwrap().is_finite());
+    }
+}
+
 at_f32_and_f64! {
     crossings_between_samples_are_interpolated => a_ramp_is_interpolated_exactly,
     at_the_end_from_the_start => a_response_that_starts_at_its_end_is_settled_at_once,
     bad_ends_and_samples_are_refused_and_not_taken => bad_samples_and_ends_are_refused,
+    figures_beyond_the_range_are_refused_and_not_taken => figures_beyond_the_range_are_refused,
 }
 
 /// A finite response whose normalized value is beyond the range is refused like one that is itself beyond it.

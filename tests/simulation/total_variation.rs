@@ -35,10 +35,23 @@ fn a_sample_that_is_not_finite_is_refused<T: Scalar>() {
     assert_eq!(variation.value(), num(3.0));
 }
 
+fn a_sum_beyond_the_range_is_refused<T: Scalar>() {
+    let most = T::max_value().unwrap();
+    let mut variation = TotalVariation::default();
+    variation.push(-most).unwrap();
+    let before = variation;
+    let error = variation.push(most).unwrap_err();
+    assert!(matches!(error, Error::NonFinite { name: "total variation", .. }));
+    assert_eq!(variation, before);
+    variation.push(T::zero()).unwrap();
+    assert_eq!(variation.value(), most);
+}
+
 at_f32_and_f64! {
     a_signal_of_one_value_does_not_move => empty_and_single_signals_do_not_move,
     a_sine_moves_by_four_a_period => a_sine_moves_by_four,
     what_is_not_finite_is_refused_and_not_taken => a_sample_that_is_not_finite_is_refused,
+    a_sum_beyond_the_range_is_refused_and_not_taken => a_sum_beyond_the_range_is_refused,
 }
 
 /// Whole numbers, so that sums are exact and the laws hold without tolerance.

@@ -6,7 +6,7 @@ use crate::{
         Accept, ChainControllers, Command, Controller, Decoupling, DecouplingCommand, Measurement,
         Reference, unicycle::Direction,
     },
-    error::{finite, positive, value},
+    error::{finite, positive, remembered, value},
     learning::LearningMode,
     plant::{Decouplable, Unicycle},
 };
@@ -113,6 +113,11 @@ impl<T: Scalar, C: ChainControllers<T, 2, 2>> UnicycleController<T, C> {
     pub fn axes(&self) -> &C {
         self.decoupling.chains()
     }
+
+    /// The controllers of the two axes, to be changed.
+    pub fn axes_mut(&mut self) -> &mut C {
+        self.decoupling.chains_mut()
+    }
 }
 
 impl<T: Scalar, C: ChainControllers<T, 2, 2>> Controller<4, 2> for UnicycleController<T, C> {
@@ -121,7 +126,8 @@ impl<T: Scalar, C: ChainControllers<T, 2, 2>> Controller<4, 2> for UnicycleContr
     type Command = UnicycleCommand<T, C::Commands>;
 
     /// # Errors
-    /// Those of [`Decoupling`], and [`Error::Singular`] for a speed below the minimum if that is to be refused.
+    /// Those of [`Decoupling`], [`Error::Singular`] for a speed below the minimum if that is to be refused, and [`Error::NonFinite`] for a
+    /// speed command so large that its change over the next period would leave the range of the scalar.
     fn update_if(
         &mut self,
         measurement: &Measurement<T, 4, 2>,
@@ -153,6 +159,8 @@ impl<T: Scalar, C: ChainControllers<T, 2, 2>> Controller<4, 2> for UnicycleContr
         let decoupled = self.decoupling.update_if(&extended, reference, dt, &mut |decoupled| {
             let command = command(*decoupled);
             finite("v", command.v)?;
+            remembered("applied v/dt", reached, dt)?;
+            remembered("v/dt", command.v, dt)?;
             accept(&command)
         })?;
         let command = command(decoupled);

@@ -1,5 +1,5 @@
 use super::ErrorRate;
-use crate::{Error, Scalar, learning::ClosedLoop};
+use crate::{Error, Scalar, error::remembered, learning::ClosedLoop};
 
 /// ė_n ≈ (e_n(k) − e_n(k−1))/dt, and 0 at the first sample.
 ///
@@ -18,7 +18,7 @@ impl<T> BackwardDifference<T> {
 
 impl<T: Scalar, const N: usize> ErrorRate<T, N> for BackwardDifference<T> {
     fn error_rate(&mut self, at: &ClosedLoop<T, N>, _u_n: T, dt: T) -> Result<T, Error> {
-        let e_n = at.e[N - 1];
+        let e_n = remembered("e_n/dt", at.e[N - 1], dt)?;
         let last = self.last.replace(e_n).unwrap_or(e_n);
         Ok((e_n - last) / dt)
     }

@@ -1,5 +1,9 @@
 use super::ErrorRate;
-use crate::{Error, Scalar, error::not_negative, learning::ClosedLoop};
+use crate::{
+    Error, Scalar,
+    error::{finite, not_negative},
+    learning::ClosedLoop,
+};
 
 /// Any source of ė_n, with learning stopped while the actuator is limited and learning would push further into the limit (conditional
 /// integration).
@@ -24,7 +28,8 @@ impl<E, T: Scalar> Conditional<E, T> {
 
 impl<T: Scalar, E: ErrorRate<T, N>, const N: usize> ErrorRate<T, N> for Conditional<E, T> {
     fn error_rate(&mut self, at: &ClosedLoop<T, N>, u_n: T, dt: T) -> Result<T, Error> {
-        let rate = self.source.error_rate(at, u_n, dt)?;
+        // An infinite rate would be replaced, and stay in the memory of the source.
+        let rate = finite("rate of e_n", self.source.error_rate(at, u_n, dt)?)?;
         let missing = at.gain * (at.u - at.asked);
         let s = rate + at.u_b;
         let pushing =

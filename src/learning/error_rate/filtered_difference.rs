@@ -1,5 +1,9 @@
 use super::ErrorRate;
-use crate::{Error, Scalar, error::not_negative, learning::ClosedLoop};
+use crate::{
+    Error, Scalar,
+    error::{not_negative, remembered},
+    learning::ClosedLoop,
+};
 
 /// ė_n through a first-order filter: the transfer function p/(τ·p + 1), discretized by the backward Euler method as
 /// y(k) = (τ·y(k−1) + e_n(k) − e_n(k−1))/(τ + dt), and 0 at the first sample.
@@ -29,9 +33,11 @@ impl<T: Scalar> FilteredDifference<T> {
 
 impl<T: Scalar, const N: usize> ErrorRate<T, N> for FilteredDifference<T> {
     fn error_rate(&mut self, at: &ClosedLoop<T, N>, _u_n: T, dt: T) -> Result<T, Error> {
-        let e_n = at.e[N - 1];
+        let span = self.time_constant + dt;
+        let e_n = remembered("e_n/(tau + dt)", at.e[N - 1], span)?;
         let last = self.last.replace(e_n).unwrap_or(e_n);
-        self.rate = (self.time_constant * self.rate + (e_n - last)) / (self.time_constant + dt);
+        // The quotients first: τ·y may leave the range where y does not.
+        self.rate = self.time_constant / span * self.rate + (e_n - last) / span;
         Ok(self.rate)
     }
 }

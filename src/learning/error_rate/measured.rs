@@ -8,7 +8,7 @@ use crate::{Error, Scalar, learning::ClosedLoop};
 ///
 /// ė_n = u_f − (ẋ_n − (a + b·u) + u_f + u_b + u_n), hence s = −(u_n + Δ) to rounding.
 ///
-/// The first sample is no exception: before it the input is the one reported as applied, or 0.
+/// The first sample is no exception: before it the input is the one reported as applied, or 0. Where the sensor may drop out, put [`Redundant`](super::Redundant) around it.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Measured;
 

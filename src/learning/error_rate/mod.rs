@@ -3,12 +3,14 @@ mod conditional;
 mod filtered_difference;
 mod measured;
 mod model_aided;
+mod redundant;
 
 pub use backward_difference::BackwardDifference;
 pub use conditional::Conditional;
 pub use filtered_difference::FilteredDifference;
 pub use measured::Measured;
 pub use model_aided::ModelAided;
+pub use redundant::Redundant;
 
 use super::ClosedLoop;
 use crate::Error;
@@ -25,6 +27,8 @@ use crate::Error;
 /// | [`FilteredDifference`] | nothing | the same through 1/(τp + 1) | dt/2 + τ | 0 |
 /// | [`ModelAided`] | the model | −u_b − u_n − Δ̂, Δ̂ the mean uncertainty of the last period | dt/2 | −u_b − u_n |
 ///
+/// [`Redundant`] takes a second source where the first lacks its measurement.
+///
 /// # Saturated actuators
 /// A difference takes the input that did not arrive for uncertainty, and what is learned from it winds up. Three remedies: [`ModelAided`] counts
 /// only the input that arrived; [`Conditional`] stops learning where it pushes into the limit; [`Bounded`](super::Bounded) limits u_n. The
@@ -39,6 +43,7 @@ pub trait ErrorRate<T, const N: usize> {
     /// ė_n at this sample, where `u_n` is the learned term as it stands and `dt > 0` the time since the sample before.
     ///
     /// # Errors
-    /// [`Error::Missing`] if the source needs a measurement that was not given.
+    /// [`Error::Missing`] if the source needs a measurement that was not given; [`Error::NonFinite`] for a sample so large that the next
+    /// difference with it would leave the range of `T`.
     fn error_rate(&mut self, at: &ClosedLoop<T, N>, u_n: T, dt: T) -> Result<T, Error>;
 }

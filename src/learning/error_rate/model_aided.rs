@@ -1,5 +1,5 @@
 use super::ErrorRate;
-use crate::{Error, Scalar, learning::ClosedLoop, scalar::constant};
+use crate::{Error, Scalar, error::remembered, learning::ClosedLoop, scalar::constant};
 
 /// ė_n from the nominal model and the applied input, corrected by what the last period showed of the uncertainty.
 ///
@@ -33,12 +33,15 @@ impl<T> ModelAided<T> {
 
 impl<T: Scalar, const N: usize> ErrorRate<T, N> for ModelAided<T> {
     fn error_rate(&mut self, at: &ClosedLoop<T, N>, u_n: T, dt: T) -> Result<T, Error> {
-        let now = Sample { x_n: at.x[N - 1], drift: at.drift, gain: at.gain };
+        let x_n = remembered("x_n/dt", at.x[N - 1], dt)?;
+        let now = Sample { x_n, drift: at.drift, gain: at.gain };
         let uncertainty = match self.last.replace(now) {
             None => T::zero(),
             Some(last) => {
-                let predicted = last.drift + now.drift + (last.gain + now.gain) * at.u;
-                (now.x_n - last.x_n) / dt - predicted * constant(0.5)
+                // Halves first: a sum of two may leave the range where their mean does not.
+                let mean = |a: T, b: T| a * constant(0.5) + b * constant(0.5);
+                let predicted = mean(last.drift, now.drift) + mean(last.gain, now.gain) * at.u;
+                (now.x_n - last.x_n) / dt - predicted
             }
         };
         Ok(-at.u_b - u_n - uncertainty)

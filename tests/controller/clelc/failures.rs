@@ -158,22 +158,19 @@ fn a_rate_that_is_not_measured_is_missing() {
 }
 
 #[test]
-fn a_difference_quotient_beyond_the_range_is_an_error_of_s() {
-    // (e₂(1) − e₂(0))/dt = −1/1e-310.
-    for error in [
-        refused(
-            controller(BackwardDifference::new(), 5.0, Antecedents::flow()),
-            [0.0, 2.0],
-            1e-310,
-        ),
-        refused(
-            controller(FilteredDifference::new(0.0).unwrap(), 5.0, Antecedents::flow()),
-            [0.0, 2.0],
-            1e-310,
-        ),
-        refused(controller(ModelAided::new(), 5.0, Antecedents::flow()), [0.0, 2.0], 1e-310),
+fn a_difference_quotient_beyond_the_range_is_named() {
+    let (flow, filter) = (Antecedents::flow(), FilteredDifference::new(0.0).unwrap());
+    // −2/1e-310; in the last one the difference alone is beyond the range, 1/1e-310.
+    for (error, expected) in [
+        (refused(controller(BackwardDifference::new(), 5.0, flow), [0.0, 2.0], 1e-310), "e_n/dt"),
+        (refused(controller(filter, 5.0, flow), [0.0, 2.0], 1e-310), "e_n/(tau + dt)"),
+        (refused(controller(ModelAided::new(), 5.0, flow), [0.0, 2.0], 1e-310), "x_n/dt"),
+        (refused(controller(BackwardDifference::new(), 5.0, flow), [0.0, 1e-10], 1e-310), "s"),
     ] {
-        assert!(matches!(error, Error::NonFinite { name: "s", .. }), "{error}");
+        assert!(
+            matches!(error, Error::NonFinite { name, .. } if name == expected),
+            "{error} for {expected}"
+        );
     }
 }
 

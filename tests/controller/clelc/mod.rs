@@ -1,8 +1,11 @@
 //! Closed-loop error learning: what it equals, what it learns, its symmetries, its failures, and derivatives through it.
 
+mod bounded;
 mod derivatives;
 mod equivalence;
 mod failures;
+mod faults;
 mod gain_margin;
+mod guarded;
 mod learned;
 mod symmetry;

@@ -1,6 +1,7 @@
 //! The unicycle robot: planar references, the dynamic extension, and the loops that they close.
 
 mod dynamic_extension;
+mod guarded;
 mod planar;
 mod standstill;
 mod symmetry;

@@ -1,14 +1,15 @@
 use brunovsky::{
     Error, Scalar,
-    learning::{ClosedLoop, Conditional, ErrorRate, Measured},
+    learning::{ClosedLoop, Conditional, ErrorRate, FilteredDifference, Measured},
 };
 use proptest::prelude::*;
 
-use crate::support::{NOT_FINITE, cases, quiet, real};
+use crate::support::{NOT_FINITE, at_error, cases, quiet, real};
 
 in_both_precisions! {
     it_stops_where_learning_pushes_into_the_limit_and_only_there,
     a_tolerance_out_of_range_is_refused,
+    a_rate_beyond_the_range_is_refused_and_not_replaced,
 }
 
 /// s = −(u_n + Δ) by the source inside. It stays, unless more than the tolerance is missing of what was asked for and u_n would go the
@@ -34,6 +35,17 @@ fn it_stops_where_learning_pushes_into_the_limit_and_only_there<T: Scalar>() {
         let stopped = missing.abs() > tolerance && missing.signum() != s.signum();
         prop_assert_eq!(found, if stopped { -at.u_b } else { free });
     });
+}
+
+/// Were the infinite rate replaced where learning pushes into the limit, the filter would keep it and answer nothing any more.
+fn a_rate_beyond_the_range_is_refused_and_not_replaced<T: Scalar>() {
+    let filter = FilteredDifference::new(T::zero()).unwrap();
+    let mut source = Conditional::new(filter, T::zero()).unwrap();
+    let at = |e_n: T| ClosedLoop { u: T::one(), ..at_error(e_n) };
+    assert_eq!(source.error_rate(&at(T::one()), T::zero(), T::one()), Ok(T::zero()));
+    let error =
+        source.error_rate(&at(T::zero()), T::zero(), T::max_value().unwrap().recip() * real(0.25));
+    assert!(matches!(error, Err(Error::NonFinite { name: "rate of e_n", .. })), "{error:?}");
 }
 
 fn a_tolerance_out_of_range_is_refused<T: Scalar>() {

@@ -3,6 +3,7 @@ mod conditional;
 mod filtered_difference;
 mod measured;
 mod model_aided;
+mod redundant;
 
 use brunovsky::{Scalar, learning::ErrorRate};
 

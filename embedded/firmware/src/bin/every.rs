@@ -7,7 +7,7 @@ use brunovsky::{
     Error,
     actuator::{RateLimit, Saturation},
     controller::unicycle::{Direction, Standstill, UnicycleController},
-    learning::{Bounded, Conditional},
+    learning::{Bounded, Conditional, Redundant},
     plant::{IntegratorChain, Link, TwoLinkArm},
     prelude::*,
 };
@@ -60,6 +60,7 @@ fn sources(noise: &mut Noise) -> Result<(), Error> {
     stand(chain::<_, _, 2, 3>(FilteredDifference::new(0.05)?, rule)?, noise);
     stand(chain::<_, _, 2, 3>(ModelAided::new(), rule)?, noise);
     stand(chain::<_, _, 2, 3>(Conditional::new(BackwardDifference::new(), 0.1)?, rule)?, noise);
+    stand(chain::<_, _, 2, 3>(Redundant::new(Measured, ModelAided::new()), rule)?, noise);
     Ok(())
 }
 
@@ -87,6 +88,11 @@ fn wrappers(noise: &mut Noise) -> Result<(), Error> {
         supervised.select(mode);
         stand(&mut supervised, noise);
     }
+    let rule = SlidingMode::new(5.0)?;
+    let network = FuzzyNetwork::<Real, 2, 3>::evenly_spaced([2.0; 2])?;
+    let watchdog = Watchdog::new(rule.certificate(0.01, 2.0)?, 0.1, 0.05)?;
+    let guarded = Guarded::new(NeuroFuzzy::new(network, ModelAided::new(), rule), watchdog);
+    stand(Clelc::new(feedback()?, guarded.with_fallback(1.0)?), noise);
     let plain: FeedbackLinearization<IntegratorChain<Real, 2>, 2> = feedback()?;
     stand::<_, 2, 1>(&mut Limited::new(plain, limits), noise);
     Ok(())
