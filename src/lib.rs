@@ -1,4 +1,4 @@
-#![no_std]
+#![cfg_attr(not(any(feature = "csv", feature = "plot")), no_std)]
 #![warn(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 //! Control of uncertain nonlinear systems: feedback linearization that learns on its closed-loop error.
 //!
@@ -56,6 +56,8 @@ pub mod fuzzy;
 pub mod integrators;
 pub mod learning;
 pub mod plant;
+#[cfg(feature = "plot")]
+pub mod plot;
 pub mod prelude;
 pub mod simulation;
 pub mod trajectory;

@@ -5,7 +5,6 @@
 
 mod claims;
 mod mobile_robot;
-mod plot;
 mod third_order;
 
 use std::{fs, path::PathBuf};

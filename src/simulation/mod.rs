@@ -4,14 +4,20 @@
 //! [`StepInfo`] measures a response by the definitions of MATLAB's `stepinfo`, [`ErrorMetrics`] integrates an error,
 //! [`TotalVariation`] counts how much a signal moves; all three take a signal one sample at a time and allocate nothing.
 //!
+//! `Recording` (feature `csv`) keeps signals in files.
+//!
 //! This module depends on all others, and none on it.
 
 mod closed_loop;
 mod error_metrics;
+#[cfg(feature = "csv")]
+mod recording;
 mod step_info;
 mod total_variation;
 
 pub use closed_loop::{Sample, Simulation};
 pub use error_metrics::ErrorMetrics;
+#[cfg(feature = "csv")]
+pub use recording::{Recording, RecordingError};
 pub use step_info::StepInfo;
 pub use total_variation::TotalVariation;

@@ -7,9 +7,8 @@ use brunovsky::{
     learning::{AdaptationRule, ErrorRate},
     plant::ThirdOrder,
     prelude::*,
-    simulation,
+    simulation::{self, Recording},
 };
-use serde::Serialize;
 
 use crate::claims::Claim;
 
@@ -62,7 +61,7 @@ pub fn run(out: &Path) -> anyhow::Result<Vec<Claim>> {
     let clelc = simulate(BackwardDifference::new(), rule, PERIOD)?;
 
     for (name, run) in [("flc", &flc), ("clelc", &clelc)] {
-        write(&out.join(name).with_extension("csv"), run)?;
+        recording(run).save(out.join(name).with_extension("csv"))?;
     }
     figures::draw(out, &flc, &clelc)?;
     println!("Third-order system, h = {PERIOD} s, ė_n by backward difference, set-valued sign\n");
@@ -72,40 +71,20 @@ pub fn run(out: &Path) -> anyhow::Result<Vec<Claim>> {
     claims::judge(&flc, &clelc, rule)
 }
 
-/// One row of the CSV files: a control sample, with the input that the plant receives until the next.
-#[derive(Serialize)]
-struct Row {
-    t: f64,
-    x1: f64,
-    x2: f64,
-    x3: f64,
-    r1: f64,
-    u: f64,
-    u_f: f64,
-    u_b: f64,
-    u_n: f64,
-    s: f64,
-    delta: f64,
-}
-
-fn write(path: &Path, run: &[Sample]) -> anyhow::Result<()> {
-    let mut file = csv::Writer::from_path(path)?;
-    for sample in run {
-        let command = sample.command;
-        file.serialize(Row {
-            t: sample.t,
-            x1: sample.x[0],
-            x2: sample.x[1],
-            x3: sample.x[2],
-            r1: sample.reference.r[0],
-            u: sample.u[0],
-            u_f: command.u_f,
-            u_b: command.u_b,
-            u_n: command.u_n,
-            s: command.s,
-            delta: uncertainty(sample.t),
-        })?;
-    }
-    file.flush()?;
-    Ok(())
+/// The control samples, each with the input that the plant receives until the next.
+fn recording(run: &[Sample]) -> Recording {
+    let columns: [(&str, fn(&Sample) -> f64); 11] = [
+        ("t", |s| s.t),
+        ("x1", |s| s.x[0]),
+        ("x2", |s| s.x[1]),
+        ("x3", |s| s.x[2]),
+        ("r1", |s| s.reference.r[0]),
+        ("u", |s| s.u[0]),
+        ("u_f", |s| s.command.u_f),
+        ("u_b", |s| s.command.u_b),
+        ("u_n", |s| s.command.u_n),
+        ("s", |s| s.command.s),
+        ("delta", |s| uncertainty(s.t)),
+    ];
+    Recording::of(run, &columns)
 }
