@@ -72,10 +72,10 @@ impl Decade {
         let (f, w) = (network.consequents(), firing.strengths());
         let rows = network.memberships();
         let antecedents = rows.iter().flatten().flat_map(|m| [m.centre(), m.width()]);
-        let all = antecedents.chain(f.iter().chain(w).copied());
+        let all = antecedents.chain(f.iter().chain(w.iter()).copied());
         self.subnormal += all.filter(|value| subnormal(*value)).count() as u64;
 
-        let pairs = || f.iter().zip(w).map(|(f, w)| (real(*f), real(*w)));
+        let pairs = || f.iter().zip(w.iter()).map(|(f, w)| (real(*f), real(*w)));
         let along =
             pairs().map(|(f, w)| f * w).sum::<f64>() / pairs().map(|(_, w)| w * w).sum::<f64>();
         let [largest, astray] = &mut self.consequents;

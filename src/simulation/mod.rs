@@ -18,6 +18,6 @@ mod total_variation;
 pub use closed_loop::{Sample, Simulation};
 pub use error_metrics::ErrorMetrics;
 #[cfg(feature = "csv")]
-pub use recording::{Recording, RecordingError};
+pub use recording::{Column, Recording, RecordingError};
 pub use step_info::StepInfo;
 pub use total_variation::TotalVariation;

@@ -43,12 +43,12 @@ pub enum RecordingError {
     },
 }
 
+/// A name, and what stands in the column for a sample.
+pub type Column<'a, S> = (&'a str, fn(&S) -> f64);
+
 impl Recording {
     /// The `samples`, one row each, with a name and a value for each column.
-    pub fn of<'a, S: 'a>(
-        samples: impl IntoIterator<Item = &'a S>,
-        columns: &[(&str, fn(&S) -> f64)],
-    ) -> Self {
+    pub fn of<'a, S: 'a>(samples: impl IntoIterator<Item = &'a S>, columns: &[Column<S>]) -> Self {
         let row = |sample| columns.iter().map(|(_, value)| value(sample)).collect();
         Self {
             names: columns.iter().map(|(name, _)| (*name).to_owned()).collect(),

@@ -1,4 +1,4 @@
-use brunovsky::simulation::{Recording, RecordingError};
+use brunovsky::simulation::{Column, Recording, RecordingError};
 use proptest::prelude::*;
 
 fn file(recording: &Recording) -> Vec<u8> {
@@ -34,7 +34,7 @@ proptest! {
 #[test]
 fn names_may_hold_commas_and_quotes() {
     let names = ["x, in m", "the \"true\" one", "ẋ₁ in m/s"];
-    let columns: [(&str, fn(&f64) -> f64); 3] =
+    let columns: [Column<f64>; 3] =
         [(names[0], |x| *x), (names[1], |x| -x), (names[2], |x| 2.0 * x)];
     let written = Recording::of(&[1.0, 0.1], &columns);
     let read = Recording::read(&file(&written)[..]).unwrap();

@@ -7,7 +7,7 @@ use brunovsky::{
     learning::{AdaptationRule, ErrorRate},
     plant::ThirdOrder,
     prelude::*,
-    simulation::{self, Recording},
+    simulation::{self, Column, Recording},
 };
 
 use crate::claims::Claim;
@@ -73,7 +73,7 @@ pub fn run(out: &Path) -> anyhow::Result<Vec<Claim>> {
 
 /// The control samples, each with the input that the plant receives until the next.
 fn recording(run: &[Sample]) -> Recording {
-    let columns: [(&str, fn(&Sample) -> f64); 11] = [
+    let columns: [Column<Sample>; 11] = [
         ("t", |s| s.t),
         ("x1", |s| s.x[0]),
         ("x2", |s| s.x[1]),
