@@ -77,8 +77,8 @@ pub trait Differentiator {
     /// seconds since the sample before. It is as if every sample so far had been greater by `known`.
     ///
     /// # Errors
-    /// [`Error::NotPositive`] or [`Error::NonFinite`] for `dt`, [`Error::NonFinite`] for a sample or a known change that is not finite, or so large
-    /// that the differences with it would leave the range of the scalar, and [`Error::NonFiniteEntry`] for estimates that do. The differentiator is
+    /// [`Error::NotPositive`] or [`Error::NonFinite`] for `dt`, [`Error::NonFinite`] for a sample or a known change that is not finite, for a sample so
+    /// large that the differences with it would leave the range of the scalar, and [`Error::NonFiniteEntry`] for estimates that do. The differentiator is
     /// then as before.
     fn update_beyond(
         &mut self,
@@ -105,6 +105,5 @@ fn validated<T: Scalar>(name: &'static str, y: T, known: T, dt: T, span: T) -> R
     finite("known change of y", known)?;
     positive("dt", dt)?;
     remembered(name, y, span)?;
-    remembered(name, known, span)?;
     Ok(())
 }
