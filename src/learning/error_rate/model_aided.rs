@@ -14,8 +14,8 @@ use crate::{
 /// ė_n = −u_b − u_n − Δ̂, hence s = −(u_n + Δ̂).
 ///
 /// By default it is the [`BackwardDifference`], and Δ̂ the mean uncertainty of the last period up to O(dt²). Behind noise, take one that
-/// filters: with [`HighGain`](crate::differentiator::HighGain) it is the extended state observer. Its delay is not in the loop that learns,
-/// because Δ̂ does not depend on u_n; a late e_n does.
+/// filters: with [`HighGain`](crate::differentiator::HighGain) it is the extended state observer. Its delay makes u_n late, but is not in the loop
+/// that learns, because Δ̂ does not depend on u_n.
 ///
 /// Without Δ̂ the model alone would give s = −u_n, which forgets and learns nothing. At the first sample Δ̂ = 0.
 ///
