@@ -18,14 +18,17 @@ use crate::{
 /// `Off`, u_n is 0 and w forgotten. Several chains fall back one by one.
 ///
 /// It helps where feedback linearization would do: against a learner that winds up, a wrong ė_n, an input gain that the feedback bears and
-/// learning does not. A bias of ė_n is learned like Δ and goes unnoticed. ė_n still has to be had; see [`Redundant`](super::Redundant) for a sensor that may drop out.
+/// learning does not. A bias of ė_n is learned like Δ and goes unnoticed. ė_n still has to be had; see [`Redundant`](super::Redundant) for
+/// a sensor that may drop out.
 ///
 /// ```
 /// use brunovsky::{learning::Guarded, plant::IntegratorChain, prelude::*};
 ///
 /// let rule = SlidingMode::new(5.0)?;
-/// // |Δ̇| ≤ 2; s is known to 0.1; a jump of Δ by 3 is learned within 3/(5 − 2) = 1 s.
-/// let watchdog = Watchdog::new(rule.certificate(0.01, 2.0)?, 0.1, 1.1)?;
+/// // |Δ̇| ≤ 2, s is known to 0.1, and Δ may jump by 3, which takes 3/(5 − 2) s and two samples to learn.
+/// let certificate = rule.certificate(0.01, 2.0)?;
+/// let patience = certificate.recovery_time(3.0, 0.01)?.unwrap_or(0.0);
+/// let watchdog = Watchdog::new(certificate, 0.11, patience)?;
 /// let network = FuzzyNetwork::<f64, 2, 3>::evenly_spaced([1.0, 1.0])?;
 /// let learner = NeuroFuzzy::new(network, ModelAided::new(), rule);
 /// let guarded = Guarded::new(learner, watchdog).with_fallback(10.0)?;
