@@ -87,14 +87,12 @@ impl<T: Scalar> Flowed<T> {
             return Self { by: zero, least: zero, most: zero };
         }
         let (nearest, farthest) = extremes(&row.map(|membership| membership.centre().abs()));
-        let reach = -(taken * farthest.max(nearest.recip())).ln();
+        let reach = (-(taken * farthest.max(nearest.recip())).ln()).max(zero);
         let half = constant::<T>(0.5);
         let vanishing = lowest * (epsilon::<T>() * constant(4.0) - half);
-        Self {
-            by: zero,
-            least: ((floor - lowest) * half).max(vanishing).max(-reach).min(zero),
-            most: ((ceiling - highest) * half).min(reach).max(zero),
-        }
+        let (_, least) = extremes(&[(floor - lowest) * half, vanishing, -reach]);
+        let (most, _) = extremes(&[(ceiling - highest) * half, reach]);
+        Self { by: zero, least, most: most.max(zero) }
     }
 }
 
