@@ -44,9 +44,9 @@ impl<T: Scalar, const I: usize, const K: usize> Travel<T, I, K> {
         floor: T,
         ceiling: T,
     ) -> Self {
-        // 1/ε⁴ is room for d and for σ = |d|/|M|, M² between the bounds.
-        let taken = epsilon::<T>().powi(4) * ceiling.max(floor.recip());
-        let flowed = memberships.each_ref().map(|row| Flowed::within(row, floor, ceiling, taken));
+        // What σ = |d|/|M| adds to the range of d, M² between the bounds.
+        let spread = ceiling.max(floor.recip());
+        let flowed = memberships.each_ref().map(|row| Flowed::within(row, floor, ceiling, spread));
         let grades = Grades::at(memberships, &SVector::zeros());
         let norm_squared = grades.dot(&grades);
         Self { at, grades, norm_squared, start: T::zero(), moved: T::zero(), flowed }
@@ -75,11 +75,11 @@ impl<T: Scalar, const I: usize, const K: usize> Travel<T, I, K> {
 }
 
 impl<T: Scalar> Flowed<T> {
-    /// No flow yet, and as much to come as keeps M² within the bounds, by more than its rounding above 0, and |ln d| within −ln `taken`, well inside
-    /// the range of `T`.
+    /// No flow yet, and as much to come as keeps M² within the bounds, by more than its rounding above 0, and d, 1/d and `spread` times them below
+    /// ε⁻⁴, well inside the range of `T`.
     ///
     /// An input below the floor from the start is at the singularity of the law already: its memberships do not flow.
-    fn within<const K: usize>(row: &[Gaussian<T>; K], floor: T, ceiling: T, taken: T) -> Self {
+    fn within<const K: usize>(row: &[Gaussian<T>; K], floor: T, ceiling: T, spread: T) -> Self {
         let zero = T::zero();
         let squares = row.map(|membership| membership.distance(zero) * membership.distance(zero));
         let (lowest, highest) = extremes(&squares);
@@ -87,7 +87,14 @@ impl<T: Scalar> Flowed<T> {
             return Self { by: zero, least: zero, most: zero };
         }
         let (nearest, farthest) = extremes(&row.map(|membership| membership.centre().abs()));
-        let reach = (-(taken * farthest.max(nearest.recip())).ln()).max(zero);
+        let extreme = farthest.max(nearest.recip()) * spread;
+        let room = -epsilon::<T>().ln();
+        // Where d takes no more than ε^(−1/2) of it there is no need to ask how much.
+        let reach = if extreme * extreme * epsilon() < T::one() {
+            room * constant(3.5)
+        } else {
+            (room * constant(4.0) - extreme.ln()).max(zero)
+        };
         let half = constant::<T>(0.5);
         let vanishing = lowest * (epsilon::<T>() * constant(4.0) - half);
         let (_, least) = extremes(&[(floor - lowest) * half, vanishing, -reach]);
