@@ -3,19 +3,16 @@
 //! Near s = 0 an explicit step of u̇_n = α·s/(|s| + δ) is s⁺ = (1 − αh/δ)·s, so theory puts the border at αh/δ = 2; beyond it s jumps between
 //! ±(αh/2 − δ). The implicit sign has no border. A wide boundary layer leaves δ·B/(α − B) of s; noise adds to both.
 
-mod heat_map;
-
 use std::{fs, path::PathBuf};
 
 use brunovsky::{
     ensemble::{Axis, Design, Map, Run, Sweep},
     plant::{Pendulum, Uncertain},
+    plot::{BLACK, Dash, Draw, Figure, Line, Stroke},
     prelude::*,
 };
 use clap::Parser;
 use rand_distr::{Distribution, StandardNormal};
-
-use heat_map::HeatMap;
 
 /// Maps the closed-loop error s over αh/δ and noise.
 #[derive(Parser)]
@@ -113,18 +110,29 @@ fn main() -> anyhow::Result<()> {
         let theory = (0.5 - 1.0 / ratio).max(0.0);
         println!("{ratio:8.2} {explicit:10.3} {implicit:10.3} {theory:8.3}");
     }
-    let mut values = Vec::new();
     for (name, map) in [("explicit", &explicit), ("implicit", &implicit)] {
         map.write_csv(fs::File::create(out.join(name).with_extension("csv"))?, 0.95)?;
-        let mean = |runs: &_| mean(runs).unwrap_or(f64::NAN);
-        values.push(map.values(mean));
+        drawn(map, &ratio.values(), &noise.values())?.save(out.join(name).with_extension("svg"))?;
     }
-    HeatMap { x: ratio.values(), y: noise.values(), border: 2.0 }.draw(
-        &out.join("stability_map.svg"),
-        [("explicit sign", &values[0]), ("implicit sign", &values[1])],
-    )?;
-    println!("\nData and picture are in {}.", out.display());
+    println!("\nData and pictures are in {}.", out.display());
     Ok(())
+}
+
+/// The mean of every cell as a colour, and the border of theory.
+fn drawn(map: &Map<2, 1>, ratios: &[f64], noises: &[f64]) -> Result<Figure, Error> {
+    let (x, y) = (logarithms(ratios), logarithms(noises));
+    let value = |x: f64, y: f64| {
+        let cell = map.cells().find(|([noise, ratio], _)| [ratio.log10(), noise.log10()] == [x, y]);
+        cell.and_then(|(_, runs)| mean(runs).ok()).unwrap_or(f64::NAN)
+    };
+    let labels = ["log₁₀ αh/δ", "log₁₀ of the noise of the rate by αh", "RMS of s by αh"];
+    let border = [(2.0_f64.log10(), y[0]), (2.0_f64.log10(), y[y.len() - 1])];
+    let border = Line::new("αh/δ = 2", border).stroke(Stroke::new(BLACK, Dash::Dashed));
+    Ok(Figure::heat_map(labels, &x, &y, value)?.colour_range(0.0..0.5)?.line(border))
+}
+
+fn logarithms(values: &[f64]) -> Vec<f64> {
+    values.iter().map(|value| value.log10()).collect()
 }
 
 fn mean(runs: &brunovsky::ensemble::Runs<1>) -> Result<f64, Error> {
