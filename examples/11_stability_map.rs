@@ -112,7 +112,7 @@ fn main() -> anyhow::Result<()> {
     }
     for (name, map) in [("explicit", &explicit), ("implicit", &implicit)] {
         map.write_csv(fs::File::create(out.join(name).with_extension("csv"))?, 0.95)?;
-        drawn(map, &ratio.values(), &noise.values())?.save(out.join(name).with_extension("svg"))?;
+        drawn(map, ratio.values(), noise.values())?.save(out.join(name).with_extension("svg"))?;
     }
     println!("\nData and pictures are in {}.", out.display());
     Ok(())
