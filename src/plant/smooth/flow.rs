@@ -28,6 +28,15 @@ pub struct Along;
 ///
 /// Stable Rust has no length `N + 1`; an implementation for each N from 1 to 8 is its replacement. Each runs straight through, so that the compiler
 /// finds what the longer jets have in common with the shorter ones.
+///
+/// The linearizing law of the flexible joint (N = 4) takes 1.3 to 1.5 times as long as the expressions derived by hand in `f64`, 1.6 to 2.3 times in
+/// `f32`; 5 and 9 times if the plant's functions are not `#[inline]`. For a plant of order 6 with a sine and a product in every equation:
+///
+/// | N | 1 | 2 | 3 | 4 | 5 | 6 |
+/// |---|---|---|---|---|---|---|
+/// | time in ns | 17 | 53 | 61 | 95 | 104 | 131 |
+///
+/// `cargo bench --bench lie` prints both.
 #[diagnostic::on_unimplemented(
     message = "Lie derivatives have orders 1 to 8",
     label = "no Lie derivatives of order {N}"
