@@ -7,7 +7,7 @@ use brunovsky::{
 };
 use proptest::prelude::*;
 
-use crate::support::{NOT_FINITE, real, rng, ulps};
+use crate::support::{NOT_FINITE, any_magnitude, cases, real, rng, ulps};
 
 in_both_precisions! {
     a_ramp_gives_its_slope,
@@ -15,6 +15,7 @@ in_both_precisions! {
     it_does_not_matter_whether_learning_was_on,
     a_bad_sample_is_refused_and_changes_nothing,
     a_record_that_is_too_short_or_at_rest_is_refused,
+    samples_of_any_magnitude_are_refused_or_give_an_answer,
 }
 
 const PERIOD: f64 = 0.01;
@@ -198,6 +199,22 @@ fn a_record_that_is_too_short_or_at_rest_is_refused<T: Scalar>() {
         advisor.recommend().unwrap_err(),
         Error::Singular { name: "rate of the uncertainty", value: 0.0 }
     );
+}
+
+/// Whatever was taken, what is recommended has a certificate that holds, or an error says why not.
+fn samples_of_any_magnitude_are_refused_or_give_an_answer<T: Scalar>() {
+    proptest!(cases(200), |(samples in prop::collection::vec((any_magnitude::<T>(), any_magnitude::<T>()), 100))| {
+        let mut advisor = Advisor::new(real::<T>(PERIOD)).unwrap();
+        let mut taken = 0;
+        for (u_n, s) in samples {
+            taken += u32::from(advisor.push(u_n, s).is_ok());
+        }
+        prop_assert!(taken > 50);
+        if let Ok(advice) = advisor.recommend() {
+            prop_assert!(advice.certificate().unwrap().holds());
+            prop_assert!(advice.rule().is_ok());
+        }
+    });
 }
 
 /// The paper's third-order system under Δ = 5·sin t with noise on the measured x₃: |u_n + Δ| of every sample but the first five seconds, or with

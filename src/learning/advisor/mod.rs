@@ -9,7 +9,7 @@ use scales::Scales;
 use super::{Certificate, Switching};
 use crate::{
     Error, Scalar,
-    error::{finite, positive, value},
+    error::{finite, positive, remembered, value},
     scalar::constant,
 };
 
@@ -76,11 +76,11 @@ impl<T: Scalar> Advisor<T> {
     /// Takes the next sample: the learned term `u_n` that was in the loop (0 with learning off), and `s`.
     ///
     /// # Errors
-    /// [`Error::NonFinite`]; the sample is then not taken.
+    /// [`Error::NonFinite`], also for an uncertainty with which differences would leave the range of `T`; the sample is then not taken.
     pub fn push(&mut self, u_n: T, s: T) -> Result<(), Error> {
         finite("u_n", u_n)?;
         finite("s", s)?;
-        self.scales.push(finite("uncertainty", -(u_n + s))?);
+        self.scales.push(remembered("uncertainty", -(u_n + s), T::one())?);
         Ok(())
     }
 
