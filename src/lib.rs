@@ -62,6 +62,7 @@ pub mod prelude;
 pub mod simulation;
 pub mod trajectory;
 
+mod conditioning;
 mod error;
 mod scalar;
 

@@ -1,13 +1,14 @@
-use nalgebra::{ComplexField, SMatrix, SVector};
+use nalgebra::{SMatrix, SVector};
 use num_traits::One;
 
 use super::{Accept, ChainControllers, Command, Controller, Measurement, Reference};
 use crate::{
     Error, Scalar,
+    conditioning::{max_condition, norm},
     error::{finite_vector, positive, remembered, value},
     learning::LearningMode,
     plant::{Decouplable, Linearization},
-    scalar::{constant, epsilon},
+    scalar::constant,
 };
 
 /// Decoupling control: u = B(x)⁻¹·(−a(x) + ν), with one controller for each of the M chains deciding its νᵢ.
@@ -58,13 +59,7 @@ where
 {
     /// A controller for the plant that `model` describes, with `chains` deciding ν. B(x) may have a condition number of 1/√ε.
     pub fn new(model: P, chains: C) -> Self {
-        Self {
-            model,
-            chains,
-            max_condition: epsilon::<P::Scalar>().sqrt().recip(),
-            input: SVector::zeros(),
-            last: None,
-        }
+        Self { model, chains, max_condition: max_condition(), input: SVector::zeros(), last: None }
     }
 
     /// The same controller with another limit on the condition number ‖B‖·‖B⁻¹‖ (maximum norm).
@@ -169,10 +164,6 @@ fn inverted<T: Scalar, const M: usize>(
     matrix: &SMatrix<T, M, M>,
     limit: T,
 ) -> Result<SMatrix<T, M, M>, Error> {
-    let norm = |matrix: &SMatrix<T, M, M>| {
-        let sums = matrix.row_iter().map(|row| row.iter().fold(T::zero(), |sum, b| sum + b.abs()));
-        sums.fold(T::zero(), T::max)
-    };
     let refused =
         |condition| Error::IllConditioned { name: "B(x)", condition, limit: value(limit) };
     // A matrix that is not finite has no inverse either; a maximum norm would pass over its NaNs.

@@ -1,3 +1,4 @@
+use super::validated;
 use crate::{Error, Scalar, error::finite_slice, scalar::constant};
 
 /// Estimates zᵢ of the derivatives y⁽ⁱ⁾, i < M, at a sample: predicted by Taylor's formula, and corrected.
@@ -6,7 +7,7 @@ pub(super) struct Chain<T, const M: usize>(pub [T; M]);
 
 impl<T: Scalar, const M: usize> Chain<T, M> {
     /// At the first sample nothing is known to move.
-    pub fn at_rest(y: T) -> Self {
+    fn at_rest(y: T) -> Self {
         let mut z = [T::zero(); M];
         if let [value, ..] = z.as_mut_slice() {
             *value = y;
@@ -14,13 +15,32 @@ impl<T: Scalar, const M: usize> Chain<T, M> {
         Self(z)
     }
 
+    /// The estimates at a sample y, from those at the sample before, if there was one: predicted, and corrected by the `correction` that a law
+    /// makes of y less the prediction.
+    ///
+    /// # Errors
+    /// Those of [`validated`] and [`corrected`](Self::corrected).
+    pub fn following(
+        last: Option<Self>,
+        y: T,
+        known: T,
+        dt: T,
+        correction: impl FnOnce(T) -> [T; M],
+    ) -> Result<Self, Error> {
+        validated("y/dt^n", y, known, dt, Self::span(dt))?;
+        let Some(last) = last else { return Ok(Self::at_rest(y)) };
+        let predicted = last.predicted(known, dt);
+        let surprise = y - predicted.0[0];
+        predicted.corrected(correction(surprise), dt)
+    }
+
     /// What a difference in y is divided by at most: dtⁿ for the last derivative, or dt if that is less.
-    pub fn span(dt: T) -> T {
+    fn span(dt: T) -> T {
         dt.powi(M as i32 - 1).min(dt)
     }
 
     /// What the estimates become over `dt` if the last derivative stays as it is: zᵢ ← Σ_j zᵢ₊ⱼ·dtʲ/j!, and z₀ moves by `known` besides.
-    pub fn predicted(self, known: T, dt: T) -> Self {
+    fn predicted(self, known: T, dt: T) -> Self {
         let Self(mut z) = self;
         for i in 0..M {
             // Horner's scheme, from the last derivative down.
@@ -39,7 +59,7 @@ impl<T: Scalar, const M: usize> Chain<T, M> {
     /// Adds a polynomial that is given by its backward differences ∇ᵐ at this sample, at a spacing of `dt`.
     ///
     /// Its derivatives D follow from dt·D = −ln(1 − ∇) = ∇ + ∇²/2 + ∇³/3 + …
-    pub fn corrected(self, differences: [T; M], dt: T) -> Result<Self, Error> {
+    fn corrected(self, differences: [T; M], dt: T) -> Result<Self, Error> {
         let (Self(mut z), mut d) = (self, differences);
         match d.as_mut_slice() {
             [_, first, second] => *first += *second * constant(0.5),

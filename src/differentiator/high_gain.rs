@@ -1,4 +1,4 @@
-use super::{Differentiator, chain::Chain, validated};
+use super::{Differentiator, chain::Chain};
 use crate::{
     Error, Scalar,
     error::{finite, not_negative, positive},
@@ -148,15 +148,9 @@ impl<T: Scalar, const M: usize> Differentiator for HighGain<T, M> {
     type Scalar = T;
 
     fn update_beyond(&mut self, y: T, known: T, dt: T) -> Result<T, Error> {
-        validated("y/dt^n", y, known, dt, Chain::<T, M>::span(dt))?;
-        let next = match self.state {
-            None => Chain::at_rest(y),
-            Some(last) => {
-                let predicted = last.predicted(known, dt);
-                let surprise = y - predicted.0[0];
-                predicted.corrected(self.gains(dt).map(|gain| gain * surprise), dt)?
-            }
-        };
+        let next = Chain::following(self.state, y, known, dt, |surprise| {
+            self.gains(dt).map(|gain| gain * surprise)
+        })?;
         self.state = Some(next);
         Ok(next.0[1])
     }

@@ -1,4 +1,4 @@
-use super::{Differentiator, chain::Chain, validated};
+use super::{Differentiator, chain::Chain};
 use crate::{Error, Scalar, error::positive, scalar::constant};
 
 /// Levant's robust exact differentiator of order n = M − 1, for signals with |y⁽ᴹ⁾| ≤ L, discretized implicitly.
@@ -128,15 +128,8 @@ impl<T: Scalar, const M: usize> Differentiator for RobustExact<T, M> {
     type Scalar = T;
 
     fn update_beyond(&mut self, y: T, known: T, dt: T) -> Result<T, Error> {
-        validated("y/dt^n", y, known, dt, Chain::<T, M>::span(dt))?;
-        let next = match self.state {
-            None => Chain::at_rest(y),
-            Some(last) => {
-                let predicted = last.predicted(known, dt);
-                let surprise = y - predicted.0[0];
-                predicted.corrected(self.correction(surprise, dt), dt)?
-            }
-        };
+        let next =
+            Chain::following(self.state, y, known, dt, |surprise| self.correction(surprise, dt))?;
         self.state = Some(next);
         Ok(next.0[1])
     }

@@ -3,6 +3,8 @@
 #[macro_use]
 #[path = "../common/laws.rs"]
 mod laws;
+#[path = "../common/numbers.rs"]
+mod numbers;
 
 mod backward_difference;
 mod every;

@@ -1,28 +1,13 @@
 //! What the tests of this room share: runs over sampled signals, and figures of what comes out.
 
-use brunovsky::{Scalar, differentiator::Differentiator, nalgebra};
-use proptest::{
-    prelude::*,
-    test_runner::{RngAlgorithm, TestRng},
-};
+use brunovsky::{Scalar, differentiator::Differentiator};
+use proptest::test_runner::{RngAlgorithm, TestRng};
 
-/// `count` random cases; failures are shown and not written to a file.
-pub fn cases(count: u32) -> ProptestConfig {
-    ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(count) }
-}
+pub use crate::numbers::{cases, real, ulps};
 
 /// The same random numbers at every run.
 pub fn rng() -> TestRng {
     TestRng::deterministic_rng(RngAlgorithm::XorShift)
-}
-
-pub fn real<T: Scalar>(x: f64) -> T {
-    nalgebra::convert(x)
-}
-
-/// `ulps` times the spacing of numbers at 1.
-pub fn ulps<T: Scalar>(ulps: f64) -> T {
-    T::default_epsilon() * real(ulps)
 }
 
 pub const NOT_FINITE: [f64; 3] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY];

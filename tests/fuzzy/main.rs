@@ -3,6 +3,8 @@
 #[macro_use]
 #[path = "../common/laws.rs"]
 mod laws;
+#[path = "../common/numbers.rs"]
+mod numbers;
 
 /// Calls `law::<T, I, K>()` for networks with one to six inputs.
 macro_rules! for_every_shape {

@@ -3,23 +3,11 @@
 use brunovsky::{
     Scalar,
     fuzzy::{FuzzyNetwork, Gaussian, Grid, Inputs},
-    nalgebra::{self, SVector},
+    nalgebra::SVector,
 };
 use proptest::{collection::vec, prelude::*};
 
-/// `count` random cases; failures are shown and not written to a file.
-pub fn cases(count: u32) -> ProptestConfig {
-    ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(count) }
-}
-
-pub fn real<T: Scalar>(x: f64) -> T {
-    nalgebra::convert(x)
-}
-
-/// `ulps` times the spacing of numbers at 1.
-pub fn ulps<T: Scalar>(ulps: f64) -> T {
-    T::default_epsilon() * real(ulps)
-}
+pub use crate::numbers::{cases, real, ulps};
 
 /// The membership that rule `rule` asks of input `input`: a digit of the rule's number written to the base K, the last input
 /// being the last digit.

@@ -4,30 +4,18 @@ use brunovsky::{
     Scalar,
     fuzzy::{FuzzyNetwork, Gaussian, Grid, Inputs},
     learning::{AdaptationRule, ClosedLoop, LearningMode, SlidingMode, Switching},
-    nalgebra::{self, SVector},
+    nalgebra::SVector,
 };
 use proptest::{
     prelude::*,
     test_runner::{RngAlgorithm, TestRng},
 };
 
-/// `count` random cases; failures are shown and not written to a file.
-pub fn cases(count: u32) -> ProptestConfig {
-    ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(count) }
-}
+pub use crate::numbers::{cases, real, ulps};
 
 /// The same random numbers at every run.
 pub fn rng() -> TestRng {
     TestRng::deterministic_rng(RngAlgorithm::XorShift)
-}
-
-pub fn real<T: Scalar>(x: f64) -> T {
-    nalgebra::convert(x)
-}
-
-/// `ulps` times the spacing of numbers at 1.
-pub fn ulps<T: Scalar>(ulps: f64) -> T {
-    T::default_epsilon() * real(ulps)
 }
 
 /// The least positive number.

@@ -9,6 +9,7 @@ use super::{
 };
 use crate::{
     Error, Scalar,
+    conditioning::{max_condition, norm},
     differentiation::RunningError,
     error::{finite, finite_vector, value},
     scalar::{constant, epsilon},
@@ -207,10 +208,6 @@ fn more_significant<T: Scalar>(a: RunningError<T>, b: RunningError<T>) -> Runnin
 
 /// 1/‖B⁻¹‖ and ‖B‖·‖B⁻¹‖ in the maximum norm.
 fn conditioning<T: Scalar, const M: usize>(matrix: &SMatrix<T, M, M>) -> (T, T) {
-    let norm = |matrix: &SMatrix<T, M, M>| {
-        let sums = matrix.row_iter().map(|row| row.iter().fold(T::zero(), |sum, b| sum + b.abs()));
-        sums.fold(T::zero(), T::max)
-    };
     match matrix.try_inverse() {
         None => (T::zero(), constant(f64::INFINITY)),
         Some(inverse) => {
@@ -218,8 +215,4 @@ fn conditioning<T: Scalar, const M: usize>(matrix: &SMatrix<T, M, M>) -> (T, T) 
             (inverse.recip(), norm(matrix) * inverse)
         }
     }
-}
-
-fn max_condition<T: Scalar>() -> T {
-    epsilon::<T>().sqrt().recip()
 }
