@@ -108,8 +108,8 @@ where
     /// Replaces the consequents f_r.
     ///
     /// # Errors
-    /// [`Error::Length`] unless there are Kᴵ of them, [`Error::NonFinite`] for one that is not finite; the network is then
-    /// as before.
+    /// [`Error::Length`] unless there are Kᴵ of them, [`Error::NonFinite`] for one that is not finite, or if the output at the input that
+    /// the memberships travel with is not; the network is then as before.
     pub fn set_consequents(&mut self, consequents: &[T]) -> Result<(), Error> {
         let (expected, found) = (self.consequents.len(), consequents.len());
         if expected != found {
@@ -118,13 +118,15 @@ where
         for consequent in consequents {
             finite("consequent", *consequent)?;
         }
-        for (own, new) in self.consequents.iter_mut().zip(consequents) {
+        let mut replaced = self.consequents;
+        for (own, new) in replaced.iter_mut().zip(consequents) {
             *own = *new;
         }
         if let Some(travel) = &mut self.travel {
-            travel.start = self.consequents.mean(travel.grades.rows());
+            travel.start = finite("u_n", replaced.mean(travel.grades.rows()))?;
             travel.moved = T::zero();
         }
+        self.consequents = replaced;
         Ok(())
     }
 

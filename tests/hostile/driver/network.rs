@@ -31,7 +31,10 @@ where
 {
     let mut network = network::<T, I, K>(bytes)?;
     let mut rule = AnyRule::decode(bytes)?;
+    // The sizes of the consequents so far: what cancels in them leaves the rounding of what they were.
+    let mut history = T::zero();
     while !bytes.is_empty() {
+        history = history.max(largest_consequent(&network));
         match bytes.byte() % 4 {
             0 => {
                 let before = network;
@@ -60,7 +63,7 @@ where
                     }
                 }
             }
-            _ => evaluated(&network, &bytes.vector()),
+            _ => evaluated(&network, &bytes.vector(), history),
         }
         for membership in network.memberships().as_flattened() {
             assert!([membership.centre(), membership.width()].are_finite(), "{membership:?}");
@@ -74,6 +77,7 @@ where
 fn evaluated<T: Float, const I: usize, const K: usize>(
     network: &FuzzyNetwork<T, I, K>,
     e: &SVector<T, I>,
+    history: T,
 ) where
     Inputs<I>: Grid,
 {
@@ -97,10 +101,19 @@ fn evaluated<T: Float, const I: usize, const K: usize>(
     let least = nalgebra::convert::<_, T>((K as f64).powi(-(I as i32)));
     let norm_squared = firing.norm_squared();
     assert!(norm_squared >= least - rounding && norm_squared <= T::one() + rounding);
-    let largest = network.consequents().iter().fold(T::zero(), |size, f| size.max(f.abs()));
     if let Ok(u_n) = answer {
+        let largest = largest_consequent(network);
         // Products below the least normal number round more coarsely.
-        let size = largest * (T::one() + rounding) + T::LEAST;
-        assert!(u_n.abs() <= size, "{u_n} of {largest}");
+        let size = largest + history * rounding + T::LEAST;
+        assert!(u_n.abs() <= size, "{u_n} of {largest} after {history}");
     }
+}
+
+fn largest_consequent<T: Float, const I: usize, const K: usize>(
+    network: &FuzzyNetwork<T, I, K>,
+) -> T
+where
+    Inputs<I>: Grid,
+{
+    network.consequents().iter().fold(T::zero(), |size, f| size.max(f.abs()))
 }
