@@ -45,7 +45,7 @@
 #[doc = include_str!("../docs/hardware.md")]
 pub mod hardware {}
 
-pub mod actuator;
+pub mod channel;
 pub mod controller;
 pub mod differentiation;
 pub mod differentiator;

@@ -6,7 +6,7 @@
 use std::{fs, path::Path};
 
 use brunovsky::{
-    actuator::Saturation,
+    channel::Saturation,
     controller::{
         ChainControllers, ClelcCommand, Limited, LimitedCommand,
         unicycle::{Direction, Standstill, UnicycleCommand, UnicycleController},
