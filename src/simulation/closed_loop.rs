@@ -2,7 +2,7 @@ use core::{fmt, iter};
 
 use nalgebra::SVector;
 
-use super::{Hardware, Sample, Sensor, Tick};
+use super::{Hardware, Sample, Sensor, Tick, Truth};
 use crate::{
     Error, Scalar,
     channel::Channel,
@@ -281,7 +281,7 @@ where
         }
         if let Some(period) = due_at(j, self.hardware.sensor_every) {
             let x_dot = held(self.plant, self.u, t)(t, &self.x);
-            let truth = Measurement::new(self.x).with_rate(x_dot).with_applied(self.u);
+            let truth = Truth { t, x: self.x, x_dot, u: self.u };
             let (sensor, seen) = self.hardware.sensor.sensed(&truth, self.ticks_long(period))?;
             (self.hardware.sensor, self.seen) = (sensor, Some(seen));
         }

@@ -24,6 +24,6 @@ pub use hardware::Hardware;
 #[cfg(feature = "csv")]
 pub use recording::{Column, Recording, RecordingError};
 pub use sample::{Sample, Tick};
-pub use sensor::{Sensor, Sensors, State};
+pub use sensor::{Sensor, Sensors, State, Truth};
 pub use step_info::StepInfo;
 pub use total_variation::TotalVariation;

@@ -5,7 +5,7 @@ use brunovsky::{
     channel::Channel,
     controller::Measurement,
     plant::IntegratorChain,
-    simulation::{Hardware, Sensor, Simulation},
+    simulation::{Hardware, Sensor, Simulation, Truth},
 };
 use nalgebra::SVector;
 
@@ -18,9 +18,9 @@ struct Eye(Log<(char, f64)>);
 impl Sensor<f64, 1, 1> for Eye {
     type Seen = Measurement<f64, 1, 1>;
 
-    fn sensed(&self, truth: &Self::Seen, dt: f64) -> Result<(Self, Self::Seen), Error> {
+    fn sensed(&self, truth: &Truth<f64, 1, 1>, dt: f64) -> Result<(Self, Self::Seen), Error> {
         self.0.borrow_mut().push(('s', dt));
-        Ok((self.clone(), *truth))
+        Ok((self.clone(), Measurement::new(truth.x).with_rate(truth.x_dot).with_applied(truth.u)))
     }
 }
 

@@ -15,12 +15,7 @@ const PLANT: IntegratorChain<f64, 1> = IntegratorChain::new();
 /// The states at every tick of ẋ = u under u = −x, from 1.
 fn states<S, A>(hardware: Hardware<S, A>, dt: f64, ticks: usize) -> Vec<f64>
 where
-    S: brunovsky::simulation::Sensor<
-            f64,
-            1,
-            1,
-            Seen = brunovsky::controller::Measurement<f64, 1, 1>,
-        >,
+    S: Sensor<f64, 1, 1, Seen = Measurement<f64, 1, 1>>,
     A: Channel<f64, 1>,
 {
     let law = Recorded::new(|x: &SVector<f64, 1>| -x[0]);

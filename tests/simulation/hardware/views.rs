@@ -4,7 +4,7 @@ use brunovsky::{
     channel::{Bias, Dropout, Ideal, Noise, Quantization, Wander},
     controller::Measurement,
     plant::IntegratorChain,
-    simulation::{Hardware, Sensors, Simulation},
+    simulation::{Hardware, Sensors, Simulation, Truth},
 };
 use nalgebra::SVector;
 use rand::{RngExt, SeedableRng};
@@ -17,7 +17,7 @@ const PLANT: IntegratorChain<f64, 2> = IntegratorChain::new();
 /// One number of two states, through a channel; the report of the actuators arrives, ẋ does not.
 #[test]
 fn a_sensor_shows_its_output_through_its_channel() {
-    let angle = |truth: &Measurement<f64, 2, 1>| SVector::from([truth.x[0] + 0.5 * truth.x[1]]);
+    let angle = |truth: &Truth<f64, 2, 1>| SVector::from([truth.x[0] + 0.5 * truth.x[1]]);
     let sensor = Sensors::new(angle, Bias::new([10.0]).unwrap());
     let law = Recorded::new(|y: &SVector<f64, 1>| y[0]);
     let hardware = Hardware::new(sensor, Ideal);
