@@ -24,11 +24,11 @@
 //! | [`fuzzy`] | membership functions, rule grid, network | – |
 //! | [`differentiator`] | the rate of a sampled signal: differences, robust exact, high-gain, tracking | – |
 //! | [`learning`] | sources of ė_n, adaptation rules, compensators, certificates | fuzzy, differentiator |
-//! | [`actuator`] | saturation, rate limits | – |
-//! | [`controller`] | gains, feedback linearization, CLELC, decoupling, the unicycle | plant, learning, actuator |
+//! | [`channel`] | what becomes of signals on their way: limits, lag, delay, quantization, noise, losses | – |
+//! | [`controller`] | gains, feedback linearization, CLELC, decoupling, the unicycle | plant, learning, channel |
 //! | [`elementary`] | sine, cosine, hypotenuse in the scalar's own precision | – |
 //! | [`trajectory`] | references r(t) with their derivatives: analytic curves, minimum jerk, constant speed | controller |
-//! | [`simulation`] | the sampled loop, figures of merit | all |
+//! | [`simulation`] | the sampled loop with sensors, actuators and clocks of their own; figures of merit | all |
 //! | `ensemble` | many runs of an experiment in parallel, sweeps, statistics (feature) | – |
 //!
 //! The [`prelude`] names what a typical program needs. [`nalgebra`] is re-exported, so that its version fits.
@@ -37,6 +37,7 @@
 //! * `std` (default): elementary functions of the platform. Without it they come from `libm`, and the crate needs neither an
 //!   operating system nor an allocator.
 //! * `reproducible`: the functions of `libm` with `std` too, for the same bits on every platform.
+//! * `random`: channels that draw random numbers: noise, losses. It needs no `std` and no allocator.
 //! * `ensemble`: Monte Carlo ensembles and sweeps; `parallel` runs them on all cores, `progress` shows how far they are.
 //!
 //! [From simulation to hardware](hardware) is a page for those who put a controller on a machine.

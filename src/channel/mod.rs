@@ -15,6 +15,18 @@
 //! | `Dropout` (feature `random`) | now and then what arrived before |
 //! | a pair `(A, B)` | B of what A lets through |
 //!
+//! ```
+//! use brunovsky::channel::{Channel, Quantization, RateLimit, Saturation};
+//! use nalgebra::SVector;
+//!
+//! let drive = (Saturation::symmetric([1.0])?, RateLimit::new([5.0])?);
+//! let (drive, u) = drive.passed(&SVector::from([3.0]), 0.1)?;
+//! assert_eq!(u[0], 0.5);
+//! let (_, u) = (drive, Quantization::new([0.25])?).passed(&SVector::from([0.9]), 0.1)?;
+//! assert_eq!(u[0], 1.0);
+//! # Ok::<(), brunovsky::Error>(())
+//! ```
+//!
 //! A [`Channel`] is a state machine without a clock, called once a period: the same calls give the same outputs. Each is one imperfection;
 //! pairs of pairs make the instrument. Random ones draw from a generator that they are given, so what they do follows from its seed.
 //!

@@ -251,7 +251,7 @@ impl<T: Float> FeedbackLinearizable<2> for Model<T> {
     }
 }
 
-/// Any actuator.
+/// Any channel that a controller is told of.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum AnyChannel<T, const NU: usize> {
     Ideal(Ideal),
@@ -289,21 +289,21 @@ pub fn rate_limit<T: Float, const NU: usize>(bytes: &mut Bytes) -> Result<RateLi
 impl<T: Float, const NU: usize> Channel<T, NU> for AnyChannel<T, NU> {
     fn passed(&self, u: &SVector<T, NU>, dt: T) -> Result<(Self, SVector<T, NU>), Error> {
         Ok(match self {
-            AnyChannel::Ideal(actuator) => {
-                let (actuator, u) = actuator.passed(u, dt)?;
-                (AnyChannel::Ideal(actuator), u)
+            AnyChannel::Ideal(channel) => {
+                let (channel, u) = channel.passed(u, dt)?;
+                (AnyChannel::Ideal(channel), u)
             }
-            AnyChannel::Saturation(actuator) => {
-                let (actuator, u) = actuator.passed(u, dt)?;
-                (AnyChannel::Saturation(actuator), u)
+            AnyChannel::Saturation(channel) => {
+                let (channel, u) = channel.passed(u, dt)?;
+                (AnyChannel::Saturation(channel), u)
             }
-            AnyChannel::RateLimit(actuator) => {
-                let (actuator, u) = actuator.passed(u, dt)?;
-                (AnyChannel::RateLimit(actuator), u)
+            AnyChannel::RateLimit(channel) => {
+                let (channel, u) = channel.passed(u, dt)?;
+                (AnyChannel::RateLimit(channel), u)
             }
-            AnyChannel::Pair(actuator) => {
-                let (actuator, u) = actuator.passed(u, dt)?;
-                (AnyChannel::Pair(actuator), u)
+            AnyChannel::Pair(channel) => {
+                let (channel, u) = channel.passed(u, dt)?;
+                (AnyChannel::Pair(channel), u)
             }
         })
     }
