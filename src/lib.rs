@@ -45,6 +45,9 @@
 #[doc = include_str!("../docs/hardware.md")]
 pub mod hardware {}
 
+#[macro_use]
+mod checked;
+
 pub mod actuator;
 pub mod controller;
 pub mod differentiation;
@@ -62,6 +65,8 @@ pub mod prelude;
 pub mod simulation;
 pub mod trajectory;
 
+#[cfg(feature = "serde")]
+mod array;
 mod conditioning;
 mod error;
 mod scalar;

@@ -8,6 +8,7 @@ use crate::{
 
 /// The actuator that does what it is told.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Ideal;
 
 impl<T: Scalar, const NU: usize> Actuator<T, NU> for Ideal {

@@ -51,3 +51,9 @@ impl<T: Scalar, const NU: usize> Actuator<T, NU> for RateLimit<T, NU> {
         Ok((Self { u: arrived, ..*self }, arrived))
     }
 }
+
+checked! {
+    [T: Scalar, const NU: usize] RateLimit<T, NU>, [T]
+    { rate: SVector<T, NU>, u: SVector<T, NU> } =>
+    Self::new(rate).and_then(|limit| limit.starting_at(u))
+}

@@ -49,3 +49,9 @@ impl<T: Scalar, const NU: usize> Actuator<T, NU> for Saturation<T, NU> {
         Ok((*self, u.zip_map(&limits, |u, (least, most)| u.max(least).min(most))))
     }
 }
+
+checked! {
+    [T: Scalar, const NU: usize] Saturation<T, NU>, [T]
+    { least: SVector<T, NU>, most: SVector<T, NU> } =>
+    Self::new(least, most)
+}

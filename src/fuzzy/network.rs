@@ -18,10 +18,10 @@ where
     Inputs<I>: Grid,
 {
     /// How the memberships move, once a rule has carried them along with the input.
-    travel: Option<Travel<T, I, K>>,
-    memberships: [[Gaussian<T>; K]; I],
+    pub(super) travel: Option<Travel<T, I, K>>,
+    pub(super) memberships: [[Gaussian<T>; K]; I],
     /// Those at the start of the travel.
-    consequents: Rules<T, I, K>,
+    pub(super) consequents: Rules<T, I, K>,
 }
 
 /// How strongly each rule fires at one input of a network: the normalized firing strengths w̃, which are not negative and sum to 1.

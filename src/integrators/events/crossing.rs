@@ -2,6 +2,7 @@ use core::cmp::Ordering;
 
 /// Which way a function crosses zero.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Direction {
     /// From g < 0 to g ≥ 0.
     Rising,
