@@ -18,17 +18,19 @@
 /// A field that is forgotten does not compile; one that is missing in a file, or not known, is refused. Without the feature it is nothing.
 macro_rules! checked {
     (
-        [$($generics:tt)*] $name:ident<$($argument:tt),*>, [$($part:ty),* $(; $($bound:tt)*)?]
+        [$($generics:tt)*] $name:ident<$($argument:ident),*>, [$($part:ty),* $(; $($bound:tt)*)?]
         { $($field:ident: $kind:ty $(= $form:expr)?),* $(,)? $(; $($derived:ident),*)? } => $built:expr
     ) => {
         #[cfg(feature = "serde")]
         const _: () = {
+            // Not every type needs all of them.
             #[allow(unused_imports)]
             use crate::{
                 array::Array,
                 checked::known,
                 error::{finite, not_negative, positive},
             };
+            #[allow(unused_imports)]
             use serde::{
                 Deserialize, Deserializer, Serialize, Serializer,
                 de::{DeserializeOwned, Error as _},

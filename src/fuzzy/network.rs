@@ -173,7 +173,12 @@ where
     pub fn move_consequents(&mut self, firing: &Firing<T, I, K>, rate: T) {
         match &mut self.travel {
             Some(travel) if firing.carried => travel.moved += rate,
-            _ => self.consequents.add(firing.grades.rows(), rate),
+            travel => {
+                self.consequents.add(firing.grades.rows(), rate);
+                if let Some(travel) = travel {
+                    travel.start = self.consequents.mean(travel.grades.rows());
+                }
+            }
         }
     }
 

@@ -45,10 +45,10 @@ checked! {
 checked! {
     [T: Scalar] Flowed<T>, [T] { by: T, least: T, most: T } =>
     known("flow of the antecedents", [by, least, most]).and_then(|()| {
-        not_negative("-least flow", -least)?;
-        not_negative("flow - least flow", by - least)?;
-        not_negative("most flow - flow", most - by)?;
-        not_negative("most flow", most)?;
+        not_negative("flow back from the start", -least)?;
+        not_negative("flow back to come", by - least)?;
+        not_negative("flow to come", most - by)?;
+        not_negative("flow from the start", most)?;
         Ok(Self { by, least, most })
     })
 }

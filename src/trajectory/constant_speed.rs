@@ -140,6 +140,7 @@ fn straight<T: Scalar, const D: usize>(points: &[SVector<T, D>], distance: T) ->
 
 #[cfg(feature = "serde")]
 impl<T: Scalar, const D: usize, const M: usize> ConstantSpeed<T, D, M> {
+    /// The points, and the speed.
     pub(super) fn parameters(&self) -> ([[T; D]; M], T) {
         (self.spline.points(), self.speed)
     }

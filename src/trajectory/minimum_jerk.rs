@@ -33,9 +33,11 @@ use crate::{
 pub struct MinimumJerk<T, const D: usize, const M: usize> {
     times: [T; M],
     /// \[velocity, acceleration\] at the start and at the end.
-    ends: [[SVector<T, D>; 2]; 2],
+    ends: Ends<T, D>,
     spline: Spline<T, D, M>,
 }
+
+type Ends<T, const D: usize> = [[SVector<T, D>; 2]; 2];
 
 impl<T: Scalar, const D: usize, const M: usize> MinimumJerk<T, D, M> {
     /// From rest in the first of `points` to rest in the last, through each at its time.
@@ -98,7 +100,8 @@ pub(super) fn finite_points<T: Scalar, const D: usize, const M: usize>(
 
 #[cfg(feature = "serde")]
 impl<T: Scalar, const D: usize, const M: usize> MinimumJerk<T, D, M> {
-    pub(super) fn parameters(&self) -> ([[T; D]; M], [T; M], [[SVector<T, D>; 2]; 2]) {
+    /// The points, their times, and \[velocity, acceleration\] at the start and at the end.
+    pub(super) fn parameters(&self) -> ([[T; D]; M], [T; M], Ends<T, D>) {
         (self.spline.points(), self.times, self.ends)
     }
 }

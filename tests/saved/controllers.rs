@@ -3,17 +3,23 @@ use std::fmt::Debug;
 use brunovsky::{
     actuator::{RateLimit, Saturation},
     controller::{
-        Clelc, Controller, Decoupling, FeedbackLinearization, Gains, Limited, Mode, Supervised,
+        Clelc, Controller, Decoupling, FeedbackLinearization, Gains, Limited, Mode, Padded,
+        Supervised,
         unicycle::{Direction, Standstill, UnicycleController},
+    },
+    differentiator::{
+        BackwardDifference, Differentiator, FilteredDifference, HighGain, RobustExact, Tracking,
     },
     fuzzy::FuzzyNetwork,
     learning::{
-        AdaptationRule, Antecedents, BackwardDifference, Bounded, Compensator, Conditional,
-        ErrorRate, FilteredDifference, GradientDescent, Guarded, LearningMode, Measured,
-        ModelAided, NeuroFuzzy, NullCompensator, NullRule, Redundant, SlidingMode, Switching,
-        Watchdog,
+        AdaptationRule, Antecedents, Bounded, Compensator, Conditional, ErrorRate, GradientDescent,
+        Guarded, LearningMode, Measured, ModelAided, NeuroFuzzy, NullCompensator, NullRule,
+        OfState, Redundant, SlidingMode, Switching, Watchdog,
     },
-    plant::{IntegratorChain, Link, Pendulum, ThirdOrder, TwoLinkArm, VanDerPol},
+    plant::{
+        DcMotor, FlexibleJoint, IntegratorChain, Linearized, Link, MotorDrivenLink, Pendulum,
+        ThirdOrder, TwoLinkArm, VanDerPol,
+    },
 };
 use serde::{Serialize, de::DeserializeOwned};
 
@@ -22,7 +28,10 @@ use crate::support::{Number, goes_on, num, reference};
 in_both_precisions! {
     feedback_linearization_goes_on,
     clelc_goes_on_with_every_source_of_the_error_rate,
+    clelc_goes_on_with_every_differentiator,
     clelc_goes_on_with_every_rule,
+    networks_of_other_sizes_go_on,
+    what_was_derived_by_differentiation_goes_on,
     a_guarded_learner_goes_on_before_and_after_it_falls_back,
     decoupling_goes_on,
     the_unicycle_goes_on,
@@ -81,6 +90,56 @@ fn clelc_goes_on_with_every_source_of_the_error_rate<T: Number>() {
     clelc_goes_on::<T, _>(neuro_fuzzy(redundant, rule()));
     let conditional = Conditional::new(ModelAided::new(), num(0.1)).unwrap();
     clelc_goes_on::<T, _>(neuro_fuzzy(conditional, rule()));
+}
+
+fn clelc_goes_on_with_every_differentiator<T: Number>() {
+    fn with<T: Number, D: Differentiator<Scalar = T> + Part>(differentiator: D) {
+        clelc_goes_on::<T, _>(neuro_fuzzy(ModelAided::through(differentiator), rule()));
+    }
+    with(FilteredDifference::new(num::<T>(0.1)).unwrap());
+    with(HighGain::first_order(num::<T>(7.0)).unwrap());
+    with(HighGain::second_order(num::<T>(7.0)).unwrap());
+    with(Tracking::new(num::<T>(30.0), num(0.05)).unwrap());
+    with(RobustExact::first_order(num::<T>(3.0)).unwrap());
+    with(RobustExact::second_order(num::<T>(3.0)).unwrap());
+    with(RobustExact::third_order(num::<T>(3.0)).unwrap());
+    let observer = HighGain::first_order(num::<T>(7.0)).unwrap();
+    clelc_goes_on::<T, _>(neuro_fuzzy(observer, rule()));
+    clelc_goes_on::<T, _>(neuro_fuzzy(OfState::new(observer), rule()));
+}
+
+fn networks_of_other_sizes_go_on<T: Number>() {
+    let gains = Gains::from_lambda(num(2.0)).unwrap();
+    let flc = FeedbackLinearization::new(ThirdOrder::<T>::new(), gains);
+    let network = FuzzyNetwork::<T, 3, 5>::evenly_spaced([num(1.0), num(2.0), num(3.0)]).unwrap();
+    let clelc = Clelc::new(flc, NeuroFuzzy::new(network, ModelAided::new(), rule()));
+    goes_on(clelc, |k| reference(k, 0.0));
+    let flc = FeedbackLinearization::new(
+        IntegratorChain::<T, 1>::new(),
+        Gains::from_lambda(num(2.0)).unwrap(),
+    );
+    let network = FuzzyNetwork::<T, 1, 40>::evenly_spaced([num(1.0)]).unwrap();
+    let clelc = Clelc::new(flc, NeuroFuzzy::new(network, ModelAided::new(), rule()));
+    goes_on(clelc, |k| reference(k, 0.0));
+}
+
+fn what_was_derived_by_differentiation_goes_on<T: Number>() {
+    let gains = Gains::from_lambda(num(2.0)).unwrap();
+    let motor = DcMotor { torque: num(0.1), inductance: num(0.025), resistance: num(5.0) };
+    let link = MotorDrivenLink::new(num::<T>(0.06), num(0.02), num(2.2), motor).unwrap();
+    let model = Linearized::<_, 3, 3, 1>::new(link, [num(0.3), num(0.0), num(0.0)]).unwrap();
+    let chain = FeedbackLinearization::new(IntegratorChain::<T, 3>::new(), gains);
+    goes_on(Decoupling::new(model, [chain]), |k| [reference(k, 0.0)]);
+    let joint = FlexibleJoint::new(num::<T>(0.03), num(0.004), num(31.0), num(0.8)).unwrap();
+    let model = Linearized::<_, 4, 4, 1>::new(joint, [num::<T>(0.1); 4]).unwrap();
+    let gains = Gains::from_lambda(num(2.0)).unwrap();
+    let chain = FeedbackLinearization::new(IntegratorChain::<T, 4>::new(), gains);
+    goes_on(Decoupling::new(model, [chain]), |k| [reference(k, 0.0)]);
+    // A chain that is shorter than there is room for.
+    let pendulum = Pendulum::new(num::<T>(1.3), num(0.5), num(0.1), num(9.81)).unwrap();
+    let model = Linearized::<_, 2, 4, 1>::with_degrees(pendulum, [2], [num(0.2), num(0.0)]);
+    let chains = [Padded::<_, 2>(Clelc::new(self::chain::<T>(), learner()))];
+    goes_on(Decoupling::new(model.unwrap(), chains), |k| [reference(k, 0.0)]);
 }
 
 fn clelc_goes_on_with_every_rule<T: Number>() {

@@ -4,15 +4,26 @@ use brunovsky::{
         Clelc, Controller, Decoupling, FeedbackLinearization, Gains, Supervised,
         unicycle::{Direction, Standstill, UnicycleController},
     },
-    fuzzy::{FuzzyNetwork, Gaussian},
-    learning::{
-        Antecedents, BackwardDifference, Bounded, Conditional, FilteredDifference, GradientDescent,
-        Guarded, ModelAided, NeuroFuzzy, SlidingMode, Switching, Watchdog,
+    differentiator::{
+        BackwardDifference, Differentiator, FilteredDifference, HighGain, RobustExact, Tracking,
     },
-    plant::{IntegratorChain, Link, Pendulum, TwoLinkArm},
+    fuzzy::{FuzzyNetwork, Gaussian},
+    integrators::{Adaptive, DormandPrince, Tolerance},
+    learning::{
+        Advisor, Antecedents, Bounded, Conditional, GradientDescent, Guarded, ModelAided,
+        NeuroFuzzy, Redundant, SlidingMode, Switching, Watchdog,
+    },
+    plant::{
+        BallAndBeam, CartPole, CartPoleOutput, Duffing, FlexibleJoint, IntegratorChain, Linearized,
+        Link, Pendulum, QuadrotorAttitude, TwoLinkArm,
+    },
+    simulation::{ErrorMetrics, StepInfo},
     trajectory::{Circle, ConstantSpeed, FigureEight, MinimumJerk, Quintic},
 };
-use serde::{Serialize, de::DeserializeOwned};
+use serde::{
+    Deserialize, Serialize,
+    de::{DeserializeOwned, value},
+};
 use serde_json::{Value, json};
 
 use crate::support::{measured, reference};
@@ -129,6 +140,134 @@ fn plants_and_controllers_out_of_range_are_named() {
 }
 
 #[test]
+fn plants_by_their_equations_out_of_range_are_named() {
+    let duffing = Duffing::new(0.1, 1.0, 2.0).unwrap();
+    assert_eq!(refusal(&duffing, "/damping", json!(-1)), "damping = -1 must not be negative");
+    let ball = BallAndBeam::new(0.4, 9.81).unwrap();
+    assert_eq!(refusal(&ball, "/share", json!(0)), "share = 0 must be greater than 0");
+    assert_eq!(refusal(&ball, "/share", json!(1.5)), "1 - share = -0.5 must not be negative");
+    let cart = CartPole::new(1.0, 0.1, 0.5, [0.0; 2], 9.81, CartPoleOutput::Angle).unwrap();
+    assert_eq!(
+        refusal(&cart, "/friction/1", json!(-1)),
+        "friction of the pivot = -1 must not be negative"
+    );
+    let body = QuadrotorAttitude::new([0.1; 3]).unwrap();
+    assert_eq!(
+        refusal(&body, "/inertia/2", json!(0)),
+        "inertia about z = 0 must be greater than 0"
+    );
+    let joint = FlexibleJoint::new(0.03, 0.004, 31.0, 0.8).unwrap();
+    let model = Linearized::<_, 4, 4, 1>::new(joint, [0.1; 4]).unwrap();
+    assert_eq!(
+        refusal(&model, "/plant/stiffness", json!(0)),
+        "stiffness = 0 must be greater than 0"
+    );
+    for degree in [0, 5] {
+        assert_eq!(
+            refusal(&model, "/degrees/0", json!(degree)),
+            format!("output 0 has relative degree {degree}, not 4")
+        );
+    }
+    assert_eq!(refusal(&model, "/min_gains/0", json!(-1)), "min_gains = -1 must not be negative");
+}
+
+/// `differentiator` after some samples.
+fn used<D: Differentiator<Scalar = f64>>(mut differentiator: D) -> D {
+    for y in [0.3, 0.5, 0.8] {
+        differentiator.update(y, 0.1).unwrap();
+    }
+    differentiator
+}
+
+#[test]
+fn differentiators_out_of_range_are_named() {
+    let observer = used(HighGain::second_order(5.0).unwrap());
+    assert_eq!(refusal(&observer, "/bandwidth", json!(0)), "bandwidth = 0 must be greater than 0");
+    let robust = used(RobustExact::first_order(5.0).unwrap());
+    assert_eq!(
+        refusal(&robust, "/bound", json!(-1)),
+        "bound on the rate = -1 must be greater than 0"
+    );
+    let tracking = used(Tracking::new(5.0, 0.1).unwrap());
+    assert_eq!(refusal(&tracking, "/horizon", json!(0)), "horizon = 0 must be greater than 0");
+    // Of an order that no constructor makes, or another than was saved.
+    let observer = serde_json::to_string(&observer).unwrap();
+    assert!(serde_json::from_str::<HighGain<f64, 3>>(&observer).is_ok());
+    let refused = |text: &str| {
+        let order = [
+            serde_json::from_str::<HighGain<f64, 1>>(text).map(|_| ()),
+            serde_json::from_str::<HighGain<f64, 4>>(text).map(|_| ()),
+        ];
+        order.map(|loaded| loaded.unwrap_err().to_string())
+    };
+    refused(&observer);
+    let fresh = serde_json::to_string(&HighGain::first_order(5.0).unwrap()).unwrap();
+    let [first, fourth] = refused(&fresh);
+    assert!(first.starts_with("estimate has 1 entries"), "{first}");
+    assert!(fourth.starts_with("estimate has 4 entries"), "{fourth}");
+    for text in [r#"{ "bound": 1, "state": null }"#, r#"{ "bound": 1, "state": [0] }"#] {
+        assert!(serde_json::from_str::<RobustExact<f64, 1>>(text).is_err());
+        assert!(serde_json::from_str::<RobustExact<f64, 5>>(text).is_err());
+    }
+}
+
+#[test]
+fn integrators_out_of_range_are_named() {
+    let method = Adaptive::new(DormandPrince, Tolerance::<f64, 2>::new(1e-6, 1e-9).unwrap());
+    let at = "/tolerance/absolute/1";
+    assert_eq!(refusal(&method, at, json!(0)), "atol = 0 must be greater than 0");
+    let at = "/tolerance/relative";
+    assert_eq!(refusal(&method, at, json!(-1)), "rtol = -1 must not be negative");
+    let at = "/first_step";
+    assert_eq!(refusal(&method, at, json!(0)), "first step = 0 must be greater than 0");
+    let at = "/longest_step";
+    assert_eq!(refusal(&method, at, json!(-1)), "longest step = -1 must be greater than 0");
+    let at = "/step_limit";
+    assert_eq!(refusal(&method, at, json!(0)), "step limit = 0 must be greater than 0");
+}
+
+#[test]
+fn figures_of_merit_out_of_range_are_named() {
+    let info = StepInfo::of([(0.0, 0.0), (1.0, 0.9)], 0.0, 1.0).unwrap();
+    assert_eq!(refusal(&info, "/span", json!(0)), "y_final - y_init = 0 is singular");
+    assert_eq!(
+        refusal(&info, "/last/0", json!(-1)),
+        "time since the first sample = -1 must not be negative"
+    );
+    let metrics = ErrorMetrics::of([(0.0, 1.0), (1.0, 0.5)]).unwrap();
+    assert_eq!(refusal(&metrics, "/ise", json!(-1)), "ISE = -1 must not be negative");
+}
+
+#[test]
+fn a_record_whose_ranks_do_not_fit_is_refused() {
+    let mut advisor = Advisor::new(0.01).unwrap();
+    for k in 0..100 {
+        advisor.push(0.0, (0.1 * f64::from(k)).sin()).unwrap();
+    }
+    let step = "/scales/0/step";
+    assert_eq!(
+        refusal(&advisor, &format!("{step}/ranks/1"), json!(0)),
+        "distance of ranks = 0 must be greater than 0"
+    );
+    assert_eq!(
+        refusal(&advisor, &format!("{step}/count"), json!(200)),
+        "ranks has 98 entries, not 199"
+    );
+    assert_eq!(
+        refusal(&advisor, &format!("{step}/count"), json!(0)),
+        "ranks has 98 entries, not 4"
+    );
+    assert_eq!(
+        refusal(&advisor, &format!("{step}/heights/0"), json!(-1)),
+        "least marker = -1 must not be negative"
+    );
+    assert!(
+        refusal(&advisor, &format!("{step}/heights/0"), json!(9))
+            .starts_with("distance of markers")
+    );
+}
+
+#[test]
 fn the_unicycle_keeps_its_own_limit_of_the_condition_number() {
     let unicycle =
         UnicycleController::new([learned(), learned()], Direction::Forward, 0.1, Standstill::Hold)
@@ -191,6 +330,32 @@ fn fields_have_to_be_there_and_no_others() {
     );
     assert!(refused(r#"{ "centre": null, "width": 1 }"#).contains("null"));
     assert!(refused("[]").contains("invalid length 0"));
+    // An empty memory is written down, so that one that was lost is noticed.
+    let refused =
+        |text: &str| serde_json::from_str::<BackwardDifference<f64>>(text).unwrap_err().to_string();
+    assert!(serde_json::from_str::<BackwardDifference<f64>>(r#"{ "last": null }"#).is_ok());
+    assert!(refused("{}").starts_with("missing field `last`"));
+    // Not even where a type promises nothing about its values.
+    let link = r#"{ "mass": 1, "length": 1, "centre": 1, "inertia": 1, "colour": 1 }"#;
+    assert!(serde_json::from_str::<Link<f64>>(link).is_err());
+    let flow = r#"{ "Flow": { "floor": 1, "ceiling": 2, "roof": 3 } }"#;
+    assert!(serde_json::from_str::<Antecedents<f64>>(flow).is_err());
+    let both = r#"{ "first": { "last": 1 }, "second": { "last": 1 }, "third": 1 }"#;
+    type Both = Redundant<BackwardDifference<f64>, BackwardDifference<f64>>;
+    assert!(serde_json::from_str::<Both>(both).is_err());
+}
+
+#[test]
+fn a_number_that_is_not_finite_is_named() {
+    for (number, said) in [(f64::NAN, "NaN"), (f64::INFINITY, "inf"), (f64::NEG_INFINITY, "-inf")] {
+        let entries = [("centre", number), ("width", 1.0)];
+        let file = value::MapDeserializer::<_, value::Error>::new(entries.into_iter());
+        let refused = Gaussian::<f64>::deserialize(file).unwrap_err().to_string();
+        assert_eq!(refused, format!("centre = {said} is not finite"));
+    }
+    // Too large for the scalar that it is read as.
+    let refused = serde_json::from_str::<Gaussian<f32>>(r#"{ "centre": 1e300, "width": 1 }"#);
+    assert!(refused.unwrap_err().to_string().starts_with("centre = inf is not finite"));
 }
 
 #[test]
@@ -226,11 +391,24 @@ fn bytes_of_a_learner_with_any_number_not_finite_are_refused() {
 }
 
 #[test]
+fn a_file_that_breaks_off_is_refused() {
+    let clelc = learned();
+    let (bytes, text) =
+        (postcard::to_stdvec(&clelc).unwrap(), serde_json::to_string(&clelc).unwrap());
+    for length in 0..bytes.len() {
+        assert!(postcard::from_bytes::<Loop>(&bytes[..length]).is_err());
+    }
+    for length in 0..text.len() {
+        assert!(serde_json::from_str::<Loop>(&text[..length]).is_err());
+    }
+}
+
+#[test]
 fn a_travel_beyond_its_way_is_refused() {
     let clelc = learned();
     let flowed = "/compensator/network/travel/flowed/0";
     assert!(refusal(&clelc, &format!("{flowed}/by"), json!(1e3)).contains("flow to come"));
-    assert!(refusal(&clelc, &format!("{flowed}/by"), json!(-1e3)).contains("flow"));
+    assert!(refusal(&clelc, &format!("{flowed}/by"), json!(-1e3)).contains("flow back to come"));
     // So far that a width vanishes: d·e^{−τ} underflows.
     let way = json!({ "by": 1e4, "least": 0.0, "most": 1e4 });
     assert_eq!(refusal(&clelc, flowed, way), "width = 0 must be greater than 0");

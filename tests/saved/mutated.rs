@@ -4,11 +4,9 @@
 use brunovsky::{
     actuator::{RateLimit, Saturation},
     controller::{Clelc, Command, Controller, FeedbackLinearization, Gains, Limited},
+    differentiator::FilteredDifference,
     fuzzy::{FuzzyNetwork, Gaussian},
-    learning::{
-        Bounded, FilteredDifference, Guarded, Measured, NeuroFuzzy, Redundant, SlidingMode,
-        Watchdog,
-    },
+    learning::{Advisor, Bounded, Guarded, Measured, NeuroFuzzy, Redundant, SlidingMode, Watchdog},
     plant::Pendulum,
 };
 use proptest::prelude::*;
@@ -62,6 +60,33 @@ fn replacement() -> impl Strategy<Value = Value> {
     ]
 }
 
+/// What the constructors promise of every part, and what a controller promises of its calls.
+fn as_good_as_new(mut loaded: Whole) -> Result<(), TestCaseError> {
+    // Nothing in it is NaN, or it would not be read again.
+    let again: Whole = serde_json::from_value(serde_json::to_value(loaded).unwrap()).unwrap();
+    prop_assert_eq!(&again, &loaded);
+    let base = loaded.controller();
+    prop_assert!(Gains::new(*base.base().gains().as_vector()).is_ok());
+    let network = base.compensator().compensator().network();
+    for membership in network.memberships().as_flattened() {
+        prop_assert!(
+            Gaussian::new(membership.centre(), membership.width()).is_ok(),
+            "{membership:?}"
+        );
+    }
+    prop_assert!(network.consequents().iter().all(|f| f.is_finite()));
+    for k in 25..60 {
+        let before = loaded;
+        match loaded.update(&measured(k), &reference(k, 0.0), 0.02) {
+            Ok(command) => {
+                prop_assert!(command.input()[0].is_finite() && command.input()[0].abs() <= f64::MAX)
+            }
+            Err(_) => prop_assert_eq!(&loaded, &before),
+        }
+    }
+    Ok(())
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(4000))]
     #[test]
@@ -76,23 +101,46 @@ proptest! {
                 *old = value;
             }
         }
-        let Ok(mut loaded) = serde_json::from_value::<Whole>(file) else { return Ok(()) };
+        let Ok(loaded) = serde_json::from_value::<Whole>(file) else { return Ok(()) };
+        as_good_as_new(loaded)?;
+    }
 
-        // Nothing in it is NaN, or it would not be read again.
-        let again: Whole = serde_json::from_value(serde_json::to_value(loaded).unwrap()).unwrap();
-        prop_assert_eq!(&again, &loaded);
-        let base = loaded.controller();
-        prop_assert!(Gains::new(*base.base().gains().as_vector()).is_ok());
-        let network = base.compensator().compensator().network();
-        for membership in network.memberships().as_flattened() {
-            prop_assert!(Gaussian::new(membership.centre(), membership.width()).is_ok(), "{membership:?}");
+    #[test]
+    fn changed_bytes_are_refused_or_as_good_as_new(
+        changes in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..4),
+        cut in prop::option::weighted(0.1, any::<prop::sample::Index>()),
+    ) {
+        let mut bytes = postcard::to_stdvec(&whole()).unwrap();
+        for (place, byte) in changes {
+            *place.get_mut(bytes.as_mut_slice()) = byte;
         }
-        prop_assert!(network.consequents().iter().all(|f| f.is_finite()));
-        for k in 25..60 {
-            let before = loaded;
-            match loaded.update(&measured(k), &reference(k, 0.0), 0.02) {
-                Ok(command) => prop_assert!(command.input()[0].is_finite() && command.input()[0].abs() <= f64::MAX),
-                Err(_) => prop_assert_eq!(&loaded, &before),
+        if let Some(cut) = cut {
+            bytes.truncate(cut.index(bytes.len()));
+        }
+        if let Ok(loaded) = postcard::from_bytes::<Whole>(&bytes) {
+            as_good_as_new(loaded)?;
+        }
+    }
+
+    #[test]
+    fn changed_bytes_of_an_advisor_are_refused_or_work(
+        samples in 0..200_u32,
+        changes in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..4),
+    ) {
+        let mut advisor = Advisor::new(0.01).unwrap();
+        for k in 0..samples {
+            advisor.push(0.0, (0.1 * f64::from(k)).sin()).unwrap();
+        }
+        let mut bytes = postcard::to_stdvec(&advisor).unwrap();
+        for (place, byte) in changes {
+            *place.get_mut(bytes.as_mut_slice()) = byte;
+        }
+        if let Ok(mut loaded) = postcard::from_bytes::<Advisor<f64>>(&bytes) {
+            for k in 0..100 {
+                loaded.push(0.0, f64::from(k % 7)).unwrap();
+            }
+            if let Ok(advice) = loaded.recommend() {
+                prop_assert!(advice.rule().is_ok() && advice.certificate().is_ok());
             }
         }
     }

@@ -1,19 +1,30 @@
 use brunovsky::{
     actuator::Ideal,
     controller::unicycle::{Direction, Heading},
-    fuzzy::{FuzzyNetwork, Gaussian},
-    integrators::{Euler, Heun, Rk4},
-    learning::{Monitor, SlidingMode, Watchdog},
-    plant::{Traction, Unicycle},
+    fuzzy::{FuzzyNetwork, Gaussian, Grid, Inputs},
+    integrators::{
+        Adaptive, Crossing, DormandPrince, Euler, Heun, Rk4, Rodas, Statistics, Tolerance,
+    },
+    learning::{Advisor, Monitor, SlidingMode, Watchdog},
+    plant::{
+        BallAndBeam, CartPole, CartPoleOutput, DcMotor, Duffing, Electromagnet, FlexibleJoint,
+        Linearized, MagneticLevitation, MotorDrivenLink, Quadrotor, QuadrotorAttitude, Traction,
+        Unicycle,
+    },
+    simulation::{ErrorMetrics, StepInfo, TotalVariation},
     trajectory::{Boundary, Circle, ConstantSpeed, FigureEight, Line, MinimumJerk, Quintic},
 };
 
-use crate::support::{Number, comes_back, num, reference};
+use crate::support::{Number, comes_back, num, reference, reloaded};
 
 in_both_precisions! {
     networks_of_every_size_come_back,
     trajectories_come_back,
     watchers_come_back,
+    plants_come_back,
+    integrators_come_back,
+    figures_of_merit_go_on,
+    an_advisor_goes_on,
     what_has_no_memory_comes_back,
 }
 
@@ -31,7 +42,7 @@ fn networks_of_every_size_come_back<T: Number>() {
 
 fn learned<T: Number, const I: usize, const K: usize>() -> FuzzyNetwork<T, I, K>
 where
-    brunovsky::fuzzy::Inputs<I>: brunovsky::fuzzy::Grid,
+    Inputs<I>: Grid,
 {
     let memberships = core::array::from_fn(|i| {
         core::array::from_fn(|k| Gaussian::new(odd(i + k), odd(i + 2 * k)).unwrap())
@@ -77,7 +88,83 @@ fn watchers_come_back<T: Number>() {
 }
 
 fn what_has_no_memory_comes_back<T: Number>() {
-    comes_back(&(Euler, Heun, Rk4, Ideal));
+    comes_back(&(Euler, Heun, Rk4, DormandPrince, Ideal));
     comes_back(&Unicycle::<T>::new());
+    comes_back(&reference::<T, 3>(2, 0.0));
     comes_back(&Traction::<T>::new(odd(1), odd(2), -odd::<T>(3)).unwrap());
+}
+
+fn plants_come_back<T: Number>() {
+    comes_back(&Duffing::<T>::new(odd(1), odd(2), -odd::<T>(3)).unwrap());
+    comes_back(&BallAndBeam::<T>::new(num(0.4), odd(2)).unwrap());
+    // A ball that slides.
+    comes_back(&BallAndBeam::<T>::new(num(0.0), odd(2)).unwrap());
+    let friction = [odd::<T>(4), odd(5)];
+    for output in [CartPoleOutput::Position, CartPoleOutput::Angle] {
+        comes_back(&CartPole::new(odd(1), odd(2), odd(3), friction, odd(6), output).unwrap());
+    }
+    let magnet =
+        Electromagnet::<T> { far: odd(1), near: odd(2), range: odd(3), resistance: odd(4) };
+    comes_back(&MagneticLevitation::new(odd(5), odd(6), odd(7), magnet).unwrap());
+    let motor = DcMotor::<T> { torque: odd(1), inductance: odd(2), resistance: odd(3) };
+    comes_back(&MotorDrivenLink::new(odd(4), odd(5), odd(6), motor).unwrap());
+    comes_back(&FlexibleJoint::<T>::new(odd(1), odd(2), odd(3), odd(4)).unwrap());
+    let attitude = QuadrotorAttitude::<T>::new([odd(1), odd(2), odd(3)]).unwrap();
+    comes_back(&attitude);
+    let quadrotor = Quadrotor::new(odd(4), attitude, odd(5)).unwrap();
+    comes_back(&quadrotor);
+    let at = quadrotor.hover([odd(6), odd(7), odd(8)], odd(9));
+    let degrees = Quadrotor::<T>::DEGREES;
+    comes_back(&Linearized::<_, 14, 4, 4>::with_degrees(quadrotor, degrees, at).unwrap());
+}
+
+fn integrators_come_back<T: Number>() {
+    let tolerance = Tolerance::<T, 2>::per_component(odd(1), [odd::<T>(2), odd(3)]).unwrap();
+    comes_back(&tolerance);
+    let method = Adaptive::new(DormandPrince, tolerance);
+    comes_back(&method);
+    comes_back(&method.with_first_step(odd(1)).unwrap().with_step_limit(7).unwrap());
+    comes_back(&Adaptive::new(Rodas::autonomous(), tolerance).with_longest_step(odd(1)).unwrap());
+    comes_back(&[Crossing::rising(), Crossing::falling().terminal(), Crossing::both()]);
+    comes_back(&Statistics { evaluations: u64::MAX, accepted: 2, ..Statistics::default() });
+}
+
+fn figures_of_merit_go_on<T: Number>() {
+    let mut info = StepInfo::<T>::new(odd(1), odd(3)).unwrap();
+    let mut metrics = ErrorMetrics::<T>::default();
+    let mut variation = TotalVariation::<T>::default();
+    for k in 0..60 {
+        comes_back(&info);
+        comes_back(&metrics);
+        comes_back(&variation);
+        let t = 0.1 * f64::from(k);
+        let y: T = odd::<T>(1) + (odd::<T>(3) - odd(1)) * num(1.0 - (-t).exp() * (3.0 * t).cos());
+        info.push(num(t), y).unwrap();
+        metrics.push(num(t), y).unwrap();
+        variation.push(y).unwrap();
+    }
+    assert!(info.settling_time().is_some());
+}
+
+fn an_advisor_goes_on<T: Number>() {
+    let mut advisor = Advisor::<T>::new(num(0.01)).unwrap();
+    let mut loaded = Vec::new();
+    for k in 0..3000 {
+        // While the quantiles of one scale or another fill up, and later.
+        if k < 60 || k == 2047 {
+            comes_back(&advisor);
+        }
+        if k % 700 == 7 {
+            loaded.extend(reloaded(&advisor));
+        }
+        let s: T = num(5.0 * (0.013 * f64::from(k)).sin() + 0.1 * (f64::from(k) * 17.3).sin());
+        advisor.push(odd(3), s).unwrap();
+        loaded.iter_mut().for_each(|loaded| loaded.push(odd(3), s).unwrap());
+    }
+    let recommendation = advisor.recommend().unwrap();
+    comes_back(&recommendation);
+    for loaded in loaded {
+        assert_eq!(loaded, advisor);
+        assert_eq!(loaded.recommend().unwrap(), recommendation);
+    }
 }

@@ -56,3 +56,8 @@ pub(super) fn crossed(side: Ordering, now: Ordering) -> Option<Direction> {
         _ => None,
     }
 }
+
+checked! {
+    [] Crossing<>, [] { direction: Option<Direction>, terminal: bool } =>
+    Ok(Self { direction, terminal })
+}
