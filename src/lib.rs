@@ -37,6 +37,8 @@
 //! * `std` (default): elementary functions of the platform. Without it they come from `libm`, and the crate needs neither an
 //!   operating system nor an allocator.
 //! * `reproducible`: the functions of `libm` with `std` too, for the same bits on every platform.
+//! * `serde`: plants, controllers, learners, trajectories are saved with all that they have learned, and go on bit for bit when they are
+//!   loaded. Loading checks what the constructors check. It needs neither `std` nor an allocator. See [Saving and loading](saving).
 //! * `ensemble`: Monte Carlo ensembles and sweeps; `parallel` runs them on all cores, `progress` shows how far they are.
 //!
 //! [From simulation to hardware](hardware) is a page for those who put a controller on a machine.
@@ -44,6 +46,10 @@
 #[cfg(any(doc, doctest))]
 #[doc = include_str!("../docs/hardware.md")]
 pub mod hardware {}
+
+#[cfg(any(doc, doctest))]
+#[doc = include_str!("../docs/saving.md")]
+pub mod saving {}
 
 #[macro_use]
 mod checked;

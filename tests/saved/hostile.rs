@@ -353,9 +353,6 @@ fn a_number_that_is_not_finite_is_named() {
         let refused = Gaussian::<f64>::deserialize(file).unwrap_err().to_string();
         assert_eq!(refused, format!("centre = {said} is not finite"));
     }
-    // Too large for the scalar that it is read as.
-    let refused = serde_json::from_str::<Gaussian<f32>>(r#"{ "centre": 1e300, "width": 1 }"#);
-    assert!(refused.unwrap_err().to_string().starts_with("centre = inf is not finite"));
 }
 
 #[test]
