@@ -5,7 +5,10 @@
 use std::{fs, path::Path};
 
 use brunovsky::{
-    controller::{ClelcCommand, unicycle::heading},
+    controller::{
+        ClelcCommand,
+        unicycle::{Direction, heading},
+    },
     learning::Antecedents,
     plant::VanDerPol,
     plot::{BLACK, BLUE, Dash, Draw, Figure, Line, Stroke},
@@ -16,6 +19,8 @@ use brunovsky::{
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
+
+const OUT: &str = "target/figures";
 
 type Learner = NeuroFuzzy<f64, BackwardDifference<f64>, SlidingMode<f64>, 2, 3>;
 type Loop = Clelc<VanDerPol<f64>, Learner, 2>;
@@ -54,13 +59,14 @@ fn signal(run: &[Sample], f: impl Fn(&Sample) -> f64) -> Vec<(f64, f64)> {
     run.iter().map(|sample| (sample.t, f(sample))).collect()
 }
 
+fn save(name: &str, figure: &impl Draw) -> Result<(), brunovsky::plot::Error> {
+    let file = Path::new(OUT).join(name);
+    figure.save(file.with_extension("svg"))?;
+    figure.save(file.with_extension("png"))
+}
+
 fn main() -> anyhow::Result<()> {
-    let out = Path::new("target/figures");
-    fs::create_dir_all(out)?;
-    let save = |name: &str, figure: &dyn Fn(&Path) -> Result<(), brunovsky::plot::Error>| {
-        figure(&out.join(name).with_extension("svg"))?;
-        figure(&out.join(name).with_extension("png"))
-    };
+    fs::create_dir_all(OUT)?;
 
     // FLC is CLELC that hardly learns.
     let mut learning = controller(30.0)?;
@@ -75,7 +81,7 @@ fn main() -> anyhow::Result<()> {
             .line(Line::new("CLELC", signal(&clelc, |s| s.x[i])))
             .line(Line::reference(signal(&clelc, |s| s.reference.r[i])))
     });
-    save("states", &|path| states.save(path))?;
+    save("states", &states)?;
 
     let shares = clelc.iter().map(|s| (s.t, s.command.u_b, s.command.u_n));
     let [signals, part] = Figure::shares("1/s²", shares, 0.5)?;
@@ -84,7 +90,7 @@ fn main() -> anyhow::Result<()> {
             .stroke(Stroke::new(BLACK, Dash::Dashed).width(1.2)),
     );
     let shares = [signals.event(5.0, "Δ sets in"), part];
-    save("shares", &|path| shares.save(path))?;
+    save("shares", &shares)?;
 
     let free = VanDerPol::new(1.0)?;
     let field = |x, y| {
@@ -101,7 +107,7 @@ fn main() -> anyhow::Result<()> {
         }
         portrait = portrait.path(Line::new(name, points));
     }
-    save("phase_plane", &|path| portrait.save(path))?;
+    save("phase_plane", &portrait)?;
 
     let mut flowing = controller(30.0)?;
     let rule = SlidingMode::new(30.0)?;
@@ -111,7 +117,7 @@ fn main() -> anyhow::Result<()> {
     run(&mut flowing, [1.0, 0.0], 0.01, 0.0, 0)?;
     let memberships =
         Figure::memberships("error e₂ in 1/s", &untaught, flowing.compensator().network(), 1)?;
-    save("memberships", &|path| memberships.save(path))?;
+    save("memberships", &memberships)?;
 
     let mut ensemble = Figure::over_time("error e₁").event(5.0, "Δ sets in");
     for (name, alpha) in [("FLC", 1e-9), ("CLELC", 30.0)] {
@@ -122,7 +128,7 @@ fn main() -> anyhow::Result<()> {
         let times: Vec<f64> = clelc.iter().map(|s| s.t).collect();
         ensemble = ensemble.spread(name, &times, &errors, [0.05, 0.95])?;
     }
-    save("ensemble", &|path| ensemble.save(path))?;
+    save("ensemble", &ensemble)?;
 
     let eight = FigureEight::new(4.0, 2.0, 0.2)?;
     let lap = |scale: f64| {
@@ -133,12 +139,11 @@ fn main() -> anyhow::Result<()> {
     for k in 0..6 {
         let t = f64::from(k) * 4.4;
         let at = eight.position(t) * 0.94;
-        let theta =
-            heading(&eight.references(t), brunovsky::controller::unicycle::Direction::Forward)?;
+        let theta = heading(&eight.references(t), Direction::Forward)?;
         plane = plane.vehicle((at[0], at[1]), theta, BLUE);
     }
     let plane = plane.point((0.0, 0.0), "crossing");
-    save("in_plane", &|path| plane.save(path))?;
+    save("in_plane", &plane)?;
 
     // The explicit sign chatters where αh/δ > 2.
     let delta = 0.5;
@@ -162,7 +167,7 @@ fn main() -> anyhow::Result<()> {
         Line::new("αh = 2δ", alphas.iter().map(|alpha| (*alpha, 2.0 * delta / alpha)))
             .stroke(Stroke::new(BLACK, Dash::Dashed)),
     );
-    save("heat_map", &|path| map.save(path))?;
-    println!("The figures are in {}.", out.display());
+    save("heat_map", &map)?;
+    println!("The figures are in {OUT}.");
     Ok(())
 }

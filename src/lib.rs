@@ -38,6 +38,8 @@
 //!   operating system nor an allocator.
 //! * `reproducible`: the functions of `libm` with `std` too, for the same bits on every platform.
 //! * `random`: channels that draw random numbers: noise, losses. It needs no `std` and no allocator.
+//! * `serde`: plants, controllers, learners, trajectories are saved with all that they have learned, and go on bit for bit when they are
+//!   loaded. Loading checks what the constructors check. It needs neither `std` nor an allocator. See [Saving and loading](saving).
 //! * `ensemble`: Monte Carlo ensembles and sweeps; `parallel` runs them on all cores, `progress` shows how far they are.
 //!
 //! [From simulation to hardware](hardware) is a page for those who put a controller on a machine.
@@ -45,6 +47,13 @@
 #[cfg(any(doc, doctest))]
 #[doc = include_str!("../docs/hardware.md")]
 pub mod hardware {}
+
+#[cfg(any(doc, doctest))]
+#[doc = include_str!("../docs/saving.md")]
+pub mod saving {}
+
+#[macro_use]
+mod checked;
 
 pub mod channel;
 pub mod controller;
@@ -63,6 +72,8 @@ pub mod prelude;
 pub mod simulation;
 pub mod trajectory;
 
+#[cfg(feature = "serde")]
+mod array;
 mod conditioning;
 mod error;
 mod scalar;

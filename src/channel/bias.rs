@@ -29,3 +29,5 @@ impl<T: Scalar, const N: usize> Channel<T, N> for Bias<T, N> {
         Ok((*self, arrived))
     }
 }
+
+checked! { [T: Scalar, const N: usize] Bias<T, N>, [T] { bias: SVector<T, N> } => Self::new(bias) }

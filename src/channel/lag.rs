@@ -58,3 +58,8 @@ impl<T: Scalar, const N: usize> Channel<T, N> for Lag<T, N> {
         Ok((Self { y: toward(kept), ..*self }, toward(mean)))
     }
 }
+
+checked! {
+    [T: Scalar, const N: usize] Lag<T, N>, [T] { time: SVector<T, N>, y: SVector<T, N> } =>
+    Self::new(time).and_then(|lag| lag.starting_at(y))
+}

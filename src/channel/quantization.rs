@@ -34,3 +34,5 @@ impl<T: Scalar, const N: usize> Channel<T, N> for Quantization<T, N> {
         Ok((*self, signal.zip_map(&self.step, quantized)))
     }
 }
+
+checked! { [T: Scalar, const N: usize] Quantization<T, N>, [T] { step: SVector<T, N> } => Self::new(step) }

@@ -49,3 +49,9 @@ impl<T: Scalar, const N: usize> Channel<T, N> for RateLimit<T, N> {
         Ok((Self { u: arrived, ..*self }, arrived))
     }
 }
+
+checked! {
+    [T: Scalar, const N: usize] RateLimit<T, N>, [T]
+    { rate: SVector<T, N>, u: SVector<T, N> } =>
+    Self::new(rate).and_then(|limit| limit.starting_at(u))
+}

@@ -48,3 +48,9 @@ impl<T: Scalar, const N: usize> Channel<T, N> for Saturation<T, N> {
         Ok((*self, signal.zip_map(&limits, |value, (least, most)| value.max(least).min(most))))
     }
 }
+
+checked! {
+    [T: Scalar, const N: usize] Saturation<T, N>, [T]
+    { least: SVector<T, N>, most: SVector<T, N> } =>
+    Self::new(least, most)
+}

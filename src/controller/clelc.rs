@@ -126,3 +126,15 @@ impl<P: FeedbackLinearizable<N>, C: Compensator<P::Scalar, N>, const N: usize> C
         self.learning = mode;
     }
 }
+
+checked! {
+    [P: FeedbackLinearizable<N>, C, const N: usize] Clelc<P, C, N>, [P, C, P::Scalar]
+    {
+        base: FeedbackLinearization<P, N>,
+        compensator: C,
+        initial: C,
+        last: P::Scalar,
+        learning: LearningMode,
+    } =>
+    known("last u", [last]).map(|()| Self { base, compensator, initial, last, learning })
+}

@@ -172,3 +172,18 @@ fn inverted<T: Scalar, const M: usize>(
     let condition = norm(matrix) * norm(&inverse);
     if condition <= limit { Ok(inverse) } else { Err(refused(value(condition))) }
 }
+
+checked! {
+    [P: Decouplable<NX, N, M>, C, const NX: usize, const N: usize, const M: usize]
+    Decoupling<P, C, NX, N, M>, [P, C, P::Scalar]
+    {
+        model: P,
+        chains: C,
+        max_condition: P::Scalar,
+        input: SVector<P::Scalar, M>,
+        last: Option<Linearization<P::Scalar, N, M>>,
+    } =>
+    positive("condition number limit", max_condition)
+        .and_then(|_| known("last u", input.iter().copied()))
+        .map(|()| Self { model, chains, max_condition, input, last })
+}

@@ -123,3 +123,9 @@ impl<P: FeedbackLinearizable<N>, const N: usize> Controller<N, 1> for FeedbackLi
 
     fn reset(&mut self) {}
 }
+
+checked! {
+    [P: FeedbackLinearizable<N>, const N: usize] FeedbackLinearization<P, N>, [P, P::Scalar]
+    { model: P, gains: Gains<P::Scalar, N> } =>
+    Ok(Self { model, gains })
+}

@@ -12,7 +12,9 @@ use crate::{
 /// Positive gains are enough for N ≤ 2 and not beyond: every constructor checks the Routh array of
 /// pᴺ + k_N·pᴺ⁻¹ + … + k₁. k_i has the unit s^−(N+1−i).
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Gains<T, const N: usize>(SVector<T, N>);
+pub struct Gains<T, const N: usize> {
+    k: SVector<T, N>,
+}
 
 impl<T: Scalar, const N: usize> Gains<T, N> {
     /// The gains (k₁, …, k_n), in the order of the errors they multiply.
@@ -24,7 +26,7 @@ impl<T: Scalar, const N: usize> Gains<T, N> {
         let k = k.into();
         finite_vector("gains", &k)?;
         routh(k)?;
-        Ok(Self(k))
+        Ok(Self { k })
     }
 
     /// All poles at −λ: (p + λ)ᴺ, so k_i = C(N, i−1)·λ^(N+1−i) (eq_ks). λ > 0 in 1/s.
@@ -69,12 +71,12 @@ impl<T: Scalar, const N: usize> Gains<T, N> {
 
     /// The gains (k₁, …, k_n).
     pub fn as_vector(&self) -> &SVector<T, N> {
-        &self.0
+        &self.k
     }
 
     /// The feedback u_b = k·e (eq_fb).
     pub fn feedback(&self, e: &SVector<T, N>) -> T {
-        self.0.dot(e)
+        self.k.dot(e)
     }
 }
 
@@ -122,3 +124,5 @@ fn routh<T: Scalar, const N: usize>(k: SVector<T, N>) -> Result<(), Error> {
     }
     Ok(())
 }
+
+checked! { [T: Scalar, const N: usize] Gains<T, N>, [T] { k: SVector<T, N> } => Self::new(k) }

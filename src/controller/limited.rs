@@ -93,3 +93,10 @@ where
         self.controller.set_learning(mode);
     }
 }
+
+checked! {
+    [C, A, T: crate::Scalar, const NU: usize] Limited<C, A, T, NU>, [C, A, T]
+    { controller: C, actuator: A, start: A, arrived: Option<SVector<T, NU>> } =>
+    known("last u", arrived.iter().flatten().copied())
+        .map(|()| Self { controller, actuator, start, arrived })
+}

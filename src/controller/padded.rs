@@ -8,6 +8,7 @@ use crate::{Error, Scalar, learning::LearningMode};
 /// [`Decoupling`](super::Decoupling) has one length N for all chains; outputs of different relative degree have chains of
 /// different order in it (see [`Decouplable`](crate::plant::Decouplable)). [`Reference::padded`] makes the reference that fits.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Padded<C, const R: usize>(pub C);
 
 /// The last R entries; zeros where there are fewer.

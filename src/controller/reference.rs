@@ -43,3 +43,11 @@ impl<T: Scalar, const N: usize> Reference<T, N> {
         Ok(())
     }
 }
+
+checked! {
+    [T: Scalar, const N: usize] Reference<T, N>, [T] { r: SVector<T, N>, r_n_dot: T } =>
+    {
+        let reference = Self { r, r_n_dot };
+        reference.validate().map(|()| reference)
+    }
+}

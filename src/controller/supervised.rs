@@ -10,6 +10,7 @@ use crate::{
 
 /// Who decides the input.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Mode {
     /// The operator. The controller goes on watching, and neither learns nor has a say.
     Manual,
@@ -225,4 +226,21 @@ where
             self.select(Mode::Automatic(mode));
         }
     }
+}
+
+checked! {
+    [C, T: Scalar, const NU: usize] Supervised<C, T, NU>, [C, T]
+    {
+        controller: C,
+        fade: SVector<T, NU>,
+        mode: Mode,
+        manual: SVector<T, NU>,
+        offset: SVector<T, NU>,
+        last: Option<(Mode, SVector<T, NU>)>,
+    } =>
+    fade.iter().try_for_each(|fade| positive("fade", *fade).map(|_| ())).and_then(|()| {
+        known("manual input and offset", manual.iter().chain(offset.iter()).copied())?;
+        known("last u", last.iter().flat_map(|(_, last)| last.iter()).copied())?;
+        Ok(Self { controller, fade, mode, manual, offset, last })
+    })
 }

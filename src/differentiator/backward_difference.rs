@@ -31,3 +31,8 @@ impl<T: Scalar> Differentiator for BackwardDifference<T> {
         self.last = None;
     }
 }
+
+checked! {
+    [T: Scalar] BackwardDifference<T>, [T] { last: Option<T> } =>
+    known("last y", last).map(|()| Self { last })
+}

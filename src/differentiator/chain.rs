@@ -79,3 +79,14 @@ impl<T: Scalar, const M: usize> Chain<T, M> {
         Ok(Self(z))
     }
 }
+
+#[cfg(feature = "serde")]
+impl<T: Scalar, const M: usize> Chain<T, M> {
+    /// Estimates as they were saved.
+    ///
+    /// # Errors
+    /// [`Error::NonFiniteEntry`].
+    pub fn known(z: [T; M]) -> Result<Self, Error> {
+        finite_slice("estimate of y and its derivatives", &z).map(|()| Self(z))
+    }
+}

@@ -64,3 +64,11 @@ impl<T: Scalar> Differentiator for FilteredDifference<T> {
         self.rate = T::zero();
     }
 }
+
+checked! {
+    [T: Scalar] FilteredDifference<T>, [T] { time_constant: T, last: Option<T>, rate: T } =>
+    Self::new(time_constant).and_then(|new| {
+        known("last y", last)?;
+        Ok(Self { last, rate: finite("rate of y", rate)?, ..new })
+    })
+}

@@ -159,3 +159,16 @@ impl<T: Scalar, const M: usize> Differentiator for HighGain<T, M> {
         self.state = None;
     }
 }
+
+checked! {
+    [T: Scalar, const M: usize] HighGain<T, M>, [T]
+    { bandwidth: T, state: Option<Array<T, M>> = state.map(|Chain(z)| Array(z)) } =>
+    positive("bandwidth", bandwidth).and_then(|_| match M {
+        2 | 3 => {
+            let state = state.map(|z| Chain::known(z.0)).transpose()?;
+            Ok(Self { bandwidth, state })
+        }
+        // No other order has a constructor.
+        _ => Err(Error::Length { name: "estimate", expected: 3, found: M }),
+    })
+}

@@ -47,7 +47,7 @@ impl<T: Scalar> RobustExact<T, 2> {
     /// # Errors
     /// [`Error::NotPositive`] or [`Error::NonFinite`].
     pub fn first_order(bound: T) -> Result<Self, Error> {
-        Self::new(bound, [1.5, 1.1])
+        Self::new(bound)
     }
 }
 
@@ -57,7 +57,7 @@ impl<T: Scalar> RobustExact<T, 3> {
     /// # Errors
     /// [`Error::NotPositive`] or [`Error::NonFinite`].
     pub fn second_order(bound: T) -> Result<Self, Error> {
-        Self::new(bound, [2.0, 2.12, 1.1])
+        Self::new(bound)
     }
 }
 
@@ -67,13 +67,21 @@ impl<T: Scalar> RobustExact<T, 4> {
     /// # Errors
     /// [`Error::NotPositive`] or [`Error::NonFinite`].
     pub fn third_order(bound: T) -> Result<Self, Error> {
-        Self::new(bound, [3.0, 4.16, 3.06, 1.1])
+        Self::new(bound)
     }
 }
 
 impl<T: Scalar, const M: usize> RobustExact<T, M> {
-    fn new(bound: T, lambda: [f64; M]) -> Result<Self, Error> {
+    fn new(bound: T) -> Result<Self, Error> {
         let bound = positive("bound on the rate", bound)?;
+        let lambda: &[f64] = match M {
+            2 => &[1.5, 1.1],
+            3 => &[2.0, 2.12, 1.1],
+            _ => &[3.0, 4.16, 3.06, 1.1],
+        };
+        // No other order has a constructor.
+        let other = |_| Error::Length { name: "estimate", expected: lambda.len(), found: M };
+        let lambda = <[f64; M]>::try_from(lambda).map_err(other)?;
         Ok(Self { bound, lambda: lambda.map(constant), state: None })
     }
 
@@ -137,4 +145,13 @@ impl<T: Scalar, const M: usize> Differentiator for RobustExact<T, M> {
     fn reset(&mut self) {
         self.state = None;
     }
+}
+
+checked! {
+    [T: Scalar, const M: usize] RobustExact<T, M>, [T]
+    { bound: T, state: Option<Array<T, M>> = state.map(|Chain(z)| Array(z)); lambda } =>
+    Self::new(bound).and_then(|new| {
+        let state = state.map(|z| Chain::known(z.0)).transpose()?;
+        Ok(Self { state, ..new })
+    })
 }

@@ -99,3 +99,11 @@ impl<T: Scalar> Differentiator for Tracking<T> {
         self.state = None;
     }
 }
+
+checked! {
+    [T: Scalar] Tracking<T>, [T] { acceleration: T, horizon: T, state: Option<(T, T)> } =>
+    Self::new(acceleration, horizon).and_then(|new| {
+        known("followed y and its rate", state.into_iter().flat_map(|(y, rate)| [y, rate]))?;
+        Ok(Self { state, ..new })
+    })
+}

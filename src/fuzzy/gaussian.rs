@@ -63,3 +63,5 @@ impl<T: Scalar> Gaussian<T> {
         Self { centre: self.centre * shrinking, width: self.width * shrinking / growth.sqrt() }
     }
 }
+
+checked! { [T: Scalar] Gaussian<T>, [T] { centre: T, width: T } => Self::new(centre, width) }

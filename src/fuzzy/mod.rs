@@ -23,6 +23,8 @@ mod grades;
 mod grid;
 mod network;
 mod rules;
+#[cfg(feature = "serde")]
+mod saved;
 mod travel;
 
 pub use gaussian::Gaussian;

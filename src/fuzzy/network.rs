@@ -18,10 +18,10 @@ where
     Inputs<I>: Grid,
 {
     /// How the memberships move, once a rule has carried them along with the input.
-    travel: Option<Travel<T, I, K>>,
-    memberships: [[Gaussian<T>; K]; I],
+    pub(super) travel: Option<Travel<T, I, K>>,
+    pub(super) memberships: [[Gaussian<T>; K]; I],
     /// Those at the start of the travel.
-    consequents: Rules<T, I, K>,
+    pub(super) consequents: Rules<T, I, K>,
 }
 
 /// How strongly each rule fires at one input of a network: the normalized firing strengths w̃, which are not negative and sum to 1.
@@ -173,7 +173,12 @@ where
     pub fn move_consequents(&mut self, firing: &Firing<T, I, K>, rate: T) {
         match &mut self.travel {
             Some(travel) if firing.carried => travel.moved += rate,
-            _ => self.consequents.add(firing.grades.rows(), rate),
+            travel => {
+                self.consequents.add(firing.grades.rows(), rate);
+                if let Some(travel) = travel {
+                    travel.start = self.consequents.mean(travel.grades.rows());
+                }
+            }
         }
     }
 

@@ -26,14 +26,14 @@ pub(super) struct Travel<T, const I: usize, const K: usize> {
     /// How far the consequents have moved along w̃ since then.
     pub moved: T,
     /// T, for each input.
-    flowed: [Flowed<T>; I],
+    pub flowed: [Flowed<T>; I],
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Flowed<T> {
-    by: T,
-    least: T,
-    most: T,
+pub(super) struct Flowed<T> {
+    pub by: T,
+    pub least: T,
+    pub most: T,
 }
 
 impl<T: Scalar, const I: usize, const K: usize> Travel<T, I, K> {

@@ -18,6 +18,7 @@ use crate::{Scalar, scalar::constant};
 /// J. R. Dormand, P. J. Prince, "A family of embedded Runge–Kutta formulae", J. Comput. Appl. Math. 6(1), 1980: RK5(4)7M.
 /// E. Hairer, S. P. Nørsett, G. Wanner, *Solving Ordinary Differential Equations I*, table II.5.2 and (II.6.12), the dense output.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct DormandPrince;
 
 /// k₁ … k₆, with the state x⁺ that they lead to.

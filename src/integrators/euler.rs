@@ -5,6 +5,7 @@ use crate::Scalar;
 
 /// The explicit Euler method: x⁺ = x + h·f(t, x).
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Euler;
 
 impl Integrator for Euler {

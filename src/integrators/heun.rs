@@ -8,6 +8,7 @@ use crate::{Scalar, scalar::constant};
 /// # References
 /// E. Hairer, S. P. Nørsett, G. Wanner, *Solving Ordinary Differential Equations I*, II.1.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Heun;
 
 impl Integrator for Heun {

@@ -11,6 +11,7 @@ use crate::{Scalar, scalar::constant};
 /// # References
 /// W. Kutta, "Beitrag zur näherungsweisen Integration totaler Differentialgleichungen", 1901.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Rk4;
 
 impl Integrator for Rk4 {

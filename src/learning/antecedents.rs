@@ -29,6 +29,11 @@ use crate::{
 /// The flow also stops before d leaves the range of the scalar; and the memberships of an input that starts within √floor widths
 /// of a centre do not flow at all, they only travel.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(deny_unknown_fields)
+)]
 pub enum Antecedents<T> {
     /// Membership functions stay where they are.
     Fixed,

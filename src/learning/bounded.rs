@@ -91,3 +91,11 @@ where
         self.clamped(self.rule.output(network, firing))
     }
 }
+
+checked! {
+    [R, T: Scalar] Bounded<R, T>, [R, T] { rule: R, bound: T, rate: Option<T> } =>
+    Self::new(rule, bound).and_then(|bounded| match rate {
+        Some(rate) => bounded.with_rate(rate),
+        None => Ok(bounded),
+    })
+}

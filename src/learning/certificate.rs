@@ -165,3 +165,8 @@ impl<T: Scalar> Certificate<T> {
         excess * excess
     }
 }
+
+checked! {
+    [T: Scalar] Certificate<T>, [T] { alpha: T, switching: Switching<T>, dt: T, bound: T } =>
+    Self::new(alpha, switching, dt, bound)
+}

@@ -48,6 +48,11 @@ pub trait Compensator<T, const N: usize>: Clone {
 
 /// The compensator that watches s and adds nothing: CLELC with it is feedback linearization control, bit for bit.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(deny_unknown_fields)
+)]
 pub struct NullCompensator<E> {
     error_rate: E,
 }

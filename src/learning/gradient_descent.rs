@@ -42,3 +42,5 @@ where
         network.move_consequents(firing, self.rate * s * dt);
     }
 }
+
+checked! { [T: Scalar] GradientDescent<T>, [T] { rate: T } => Self::new(rate) }

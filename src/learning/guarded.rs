@@ -116,3 +116,11 @@ impl<T: Scalar, C: Compensator<T, N>, const N: usize> Compensator<T, N> for Guar
         Ok(Compensation { u_n, s })
     }
 }
+
+checked! {
+    [C, T: Scalar] Guarded<C, T>, [C, T]
+    { compensator: C, watchdog: Watchdog<T>, fade: Option<T>, fading: T } =>
+    positive("fade", fade.unwrap_or(T::one()))
+        .and_then(|_| known("fading u_n", [fading]))
+        .map(|()| Self { compensator, watchdog, fade, fading })
+}

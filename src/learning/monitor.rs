@@ -57,3 +57,12 @@ impl<T: Scalar> Monitor<T> {
         self.possible = None;
     }
 }
+
+checked! {
+    [T: Scalar] Monitor<T>, [T]
+    { certificate: Certificate<T>, slack: T, possible: Option<T> } =>
+    Self::new(certificate, slack).and_then(|new| {
+        not_negative("possible s", possible.unwrap_or(slack))?;
+        Ok(Self { possible, ..new })
+    })
+}

@@ -80,3 +80,10 @@ where
         Ok(compensation)
     }
 }
+
+checked! {
+    [T: Scalar, E, R, const N: usize, const K: usize] NeuroFuzzy<T, E, R, N, K>,
+    [T, E, R; Inputs<N>: Grid]
+    { network: FuzzyNetwork<T, N, K>, error_rate: E, rule: R } =>
+    Ok(Self { network, error_rate, rule })
+}

@@ -30,6 +30,7 @@ where
 
 /// The rule that never learns: the network stays as it was given.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct NullRule;
 
 impl<T: Scalar, const I: usize, const K: usize> AdaptationRule<T, I, K> for NullRule

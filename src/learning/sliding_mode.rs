@@ -99,3 +99,9 @@ where
         }
     }
 }
+
+checked! {
+    [T: Scalar] SlidingMode<T>, [T]
+    { alpha: T, switching: Switching<T>, antecedents: Antecedents<T> } =>
+    Self::new(alpha).and_then(|rule| rule.with_switching(switching)?.with_antecedents(antecedents))
+}

@@ -22,6 +22,11 @@ use crate::{
 /// The smoothed sign is the paper's second remark. V. Acary, B. Brogliato, "Implicit Euler numerical scheme and
 /// chattering-free implementation of sliding mode systems", Systems & Control Letters 59(5), 2010.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(deny_unknown_fields)
+)]
 pub enum Switching<T> {
     /// Forward Euler with the smoothed sign.
     Explicit {

@@ -86,3 +86,19 @@ impl<T: Scalar> Watchdog<T> {
         *self = Self { possible: None, late: T::zero(), tripped: false, ..*self };
     }
 }
+
+checked! {
+    [T: Scalar] Watchdog<T>, [T]
+    {
+        certificate: Certificate<T>,
+        slack: T,
+        patience: T,
+        possible: Option<T>,
+        late: T,
+        tripped: bool,
+    } =>
+    Self::new(certificate, slack, patience).and_then(|new| {
+        not_negative("possible s", possible.unwrap_or(slack))?;
+        Ok(Self { possible, late: not_negative("time above the bound", late)?, tripped, ..new })
+    })
+}

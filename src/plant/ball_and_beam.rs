@@ -64,3 +64,11 @@ impl<T: Scalar> SmoothPlant<4, 1> for BallAndBeam<T> {
 }
 
 control_affine!(BallAndBeam, 4, 1);
+
+checked! {
+    [T: Scalar] BallAndBeam<T>, [T] { share: T, gravity: T } =>
+    positive("share", share).and_then(|_| {
+        not_negative("1 - share", T::one() - share)?;
+        Ok(Self { share, gravity: not_negative("gravity", gravity)? })
+    })
+}

@@ -37,6 +37,7 @@ pub struct CartPole<T> {
 
 /// What of [`CartPole`] is to follow a reference.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum CartPoleOutput {
     /// The position p of the cart, in m.
     Position,
@@ -119,3 +120,9 @@ impl<T: Scalar> SmoothPlant<4, 1> for CartPole<T> {
 }
 
 control_affine!(CartPole, 4, 1);
+
+checked! {
+    [T: Scalar] CartPole<T>, [T]
+    { cart: T, pole: T, length: T, friction: [T; 2], gravity: T, output: CartPoleOutput } =>
+    Self::new(cart, pole, length, friction, gravity, output)
+}

@@ -104,3 +104,18 @@ pub struct Linearization<T, const N: usize, const M: usize> {
     /// The matrix to invert: B(x), or its stand-in.
     pub inverted: SMatrix<T, M, M>,
 }
+
+checked! {
+    [T: Scalar, const N: usize, const M: usize] Linearization<T, N, M>, [T]
+    {
+        chains: Array<SVector<T, N>, M> = Array(*chains),
+        drift: SVector<T, M>,
+        matrix: SMatrix<T, M, M>,
+        inverted: SMatrix<T, M, M>,
+    } =>
+    known("chains", chains.0.iter().flatten().copied()).and_then(|()| {
+        known("a(x)", drift.iter().copied())?;
+        known("B(x)", matrix.iter().chain(inverted.iter()).copied())?;
+        Ok(Self { chains: chains.0, drift, matrix, inverted })
+    })
+}

@@ -77,3 +77,8 @@ impl<T: Scalar> SmoothPlant<2, 1> for Duffing<T> {
         [x]
     }
 }
+
+checked! {
+    [T: Scalar] Duffing<T>, [T] { damping: T, linear: T, cubic: T } =>
+    Self::new(damping, linear, cubic)
+}

@@ -77,3 +77,8 @@ impl<T: Scalar> SmoothPlant<4, 1> for FlexibleJoint<T> {
 }
 
 control_affine!(FlexibleJoint, 4, 1);
+
+checked! {
+    [T: Scalar] FlexibleJoint<T>, [T] { link: T, motor: T, stiffness: T, weight: T } =>
+    Self::new(link, motor, stiffness, weight)
+}

@@ -10,6 +10,7 @@ use crate::Scalar;
 /// This is what every feedback-linearizable plant looks like under exact linearization. As a controller's model it makes
 /// the controller's output the virtual input ν itself.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct IntegratorChain<T, const N: usize>(PhantomData<T>);
 
 impl<T, const N: usize> IntegratorChain<T, N> {

@@ -28,6 +28,11 @@ pub struct MagneticLevitation<T> {
 
 /// The magnet of [`MagneticLevitation`].
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(deny_unknown_fields)
+)]
 pub struct Electromagnet<T> {
     /// L₁ > 0 in H: the inductance with the ball far away.
     pub far: T,
@@ -106,3 +111,9 @@ impl<T: Scalar> SmoothPlant<3, 1> for MagneticLevitation<T> {
 }
 
 control_affine!(MagneticLevitation, 3, 1);
+
+checked! {
+    [T: Scalar] MagneticLevitation<T>, [T]
+    { mass: T, friction: T, gravity: T, magnet: Electromagnet<T> } =>
+    Self::new(mass, friction, gravity, magnet)
+}

@@ -26,6 +26,11 @@ pub struct MotorDrivenLink<T> {
 
 /// The motor of [`MotorDrivenLink`].
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(deny_unknown_fields)
+)]
 pub struct DcMotor<T> {
     /// K > 0 in N·m/A, at the same time the back-emf in V·s/rad.
     pub torque: T,
@@ -90,3 +95,9 @@ impl<T: Scalar> SmoothPlant<3, 1> for MotorDrivenLink<T> {
 }
 
 control_affine!(MotorDrivenLink, 3, 1);
+
+checked! {
+    [T: Scalar] MotorDrivenLink<T>, [T]
+    { inertia: T, friction: T, weight: T, motor: DcMotor<T> } =>
+    Self::new(inertia, friction, weight, motor)
+}

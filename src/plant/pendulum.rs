@@ -82,3 +82,8 @@ impl<T: Scalar> SmoothPlant<2, 1> for Pendulum<T> {
         [theta]
     }
 }
+
+checked! {
+    [T: Scalar] Pendulum<T>, [T] { mass: T, length: T, damping: T, gravity: T } =>
+    Self::new(mass, length, damping, gravity)
+}

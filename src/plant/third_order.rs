@@ -11,6 +11,7 @@ use crate::{Scalar, differentiation::Smooth, scalar::constant};
 /// E. Kayacan, "Closed-loop error learning control for uncertain nonlinear systems with experimental validation on a
 /// mobile robot", IEEE/ASME Transactions on Mechatronics 24(5), 2019.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct ThirdOrder<T>(PhantomData<T>);
 
 impl<T> ThirdOrder<T> {

@@ -83,3 +83,8 @@ impl<T: Scalar, F: Fn(T, T) -> Traction<T>> Plant<5, 2> for TrackedRobot<T, F> {
         ])
     }
 }
+
+checked! {
+    [T: Scalar] Traction<T>, [T] { longitudinal: T, yaw: T, side: T } =>
+    Self::new(longitudinal, yaw, side)
+}

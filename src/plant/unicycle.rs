@@ -13,6 +13,7 @@ use crate::{Scalar, differentiation::Smooth, elementary::sin_cos};
 /// The position obeys p̈ = B·(ξ, ω) with columns (cos θ, sin θ) and v·(−sin θ, cos θ); det B = v, so it is singular where the robot
 /// stands.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Unicycle<T>(PhantomData<T>);
 
 impl<T> Unicycle<T> {

@@ -59,3 +59,5 @@ impl<T: Scalar> SmoothPlant<2, 1> for VanDerPol<T> {
         [x]
     }
 }
+
+checked! { [T: Scalar] VanDerPol<T>, [T] { mu: T } => Self::new(mu) }

@@ -45,8 +45,7 @@ pub(super) struct Said {
 impl Layout {
     /// The layout of a figure whose left margin is `left` at least, without what a neighbouring panel says already.
     pub fn of(figure: &Figure, left: f64, said: Said) -> Result<Self, Error> {
-        let [x, mut y] = figure.ranges()?;
-        let mut x = x;
+        let [mut x, mut y] = figure.ranges()?;
         let [full_width, mut height] = figure.size;
         let y_ticks = Ticks::of(&y, height / 40.0);
         let left = left.max(margin(&y_ticks)?);
@@ -65,8 +64,15 @@ impl Layout {
         }
         let ticks =
             [Ticks::of(&x, (right - left) / 62.0), Ticks::of(&y, (height - top - bottom) / 40.0)];
+        // Fewer ticks on more room may have longer labels; there are not many such steps.
+        let needed = margin(&ticks[1])?;
+        if needed > left {
+            return Self::of(figure, needed, said);
+        }
         let size = [full_width, height];
         let bottom = height - bottom;
+        let room = (right - left).min(bottom - top);
+        crate::error::below("least room between the axes", 20.0, room)?;
         Ok(Self { size, ranges: [x, y], ticks, left, right, top, bottom, legend, bar, said })
     }
 

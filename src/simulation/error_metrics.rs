@@ -104,3 +104,22 @@ impl<T: Scalar> ErrorMetrics<T> {
         (duration > T::zero()).then(|| (self.ise / duration).sqrt())
     }
 }
+
+checked! {
+    [T: Scalar] ErrorMetrics<T>, [T]
+    { start: T, last: Option<(T, T)>, iae: T, ise: T, itae: T, maximum: T } =>
+    known("start", [start]).and_then(|()| {
+        if let Some((t, size)) = last {
+            not_negative("time since the first sample", t - start)?;
+            not_negative("last |e|", size)?;
+        }
+        Ok(Self {
+            start,
+            last,
+            iae: not_negative("IAE", iae)?,
+            ise: not_negative("ISE", ise)?,
+            itae: not_negative("ITAE", itae)?,
+            maximum: not_negative("maximum", maximum)?,
+        })
+    })
+}

@@ -162,3 +162,41 @@ fn crossing<T: Scalar>(from: (T, T), to: (T, T), level: T) -> T {
         from.0 + (to.0 - from.0) * part
     }
 }
+
+checked! {
+    [T: Scalar] StepInfo<T>, [T]
+    {
+        initial: T,
+        span: T,
+        last: Option<(T, T)>,
+        start: T,
+        rise_start: Option<T>,
+        rise_end: Option<T>,
+        settled: Option<T>,
+        highest: T,
+        lowest: T,
+        peak: T,
+        peak_time: T,
+    } =>
+    Self::new(T::zero(), span).and_then(|_| {
+        known("y_init", [initial])?;
+        known("times", [rise_start, rise_end, settled, Some(start), Some(peak_time)].into_iter().flatten())?;
+        if let Some((t, eta)) = last {
+            not_negative("time since the first sample", t - start)?;
+            finite("normalized y", eta)?;
+        }
+        Ok(Self {
+            initial,
+            span,
+            last,
+            start,
+            rise_start,
+            rise_end,
+            settled,
+            highest: not_negative("highest normalized y", highest)?,
+            lowest: -not_negative("-lowest normalized y", -lowest)?,
+            peak: not_negative("peak", peak)?,
+            peak_time,
+        })
+    })
+}

@@ -42,3 +42,10 @@ impl<T: Scalar> TotalVariation<T> {
         self.sum
     }
 }
+
+checked! {
+    [T: Scalar] TotalVariation<T>, [T] { last: Option<T>, sum: T } =>
+    known("last u", last).and_then(|()| {
+        Ok(Self { last, sum: not_negative("total variation", sum)? })
+    })
+}

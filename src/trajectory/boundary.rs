@@ -50,3 +50,12 @@ impl<T: Scalar, const D: usize> Boundary<T, D> {
         }
     }
 }
+
+checked! {
+    [T: Scalar, const D: usize] Boundary<T, D>, [T]
+    { position: SVector<T, D>, velocity: SVector<T, D>, acceleration: SVector<T, D> } =>
+    {
+        let boundary = Self { position, velocity, acceleration };
+        boundary.validate().map(|()| boundary)
+    }
+}

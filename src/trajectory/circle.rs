@@ -58,3 +58,8 @@ impl<T: Scalar> Trajectory<2> for Circle<T> {
         Limits { speed, acceleration: speed * rate, yaw_rate }.over(from, to)
     }
 }
+
+checked! {
+    [T: Scalar] Circle<T>, [T] { centre: SVector<T, 2>, radius: T, rate: T, phase: T } =>
+    Self::new(centre.into(), radius, rate, phase)
+}

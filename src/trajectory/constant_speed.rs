@@ -137,3 +137,11 @@ fn straight<T: Scalar, const D: usize>(points: &[SVector<T, D>], distance: T) ->
         _ => None,
     }
 }
+
+#[cfg(feature = "serde")]
+impl<T: Scalar, const D: usize, const M: usize> ConstantSpeed<T, D, M> {
+    /// The points, and the speed.
+    pub(super) fn parameters(&self) -> ([[T; D]; M], T) {
+        (self.spline.points(), self.speed)
+    }
+}

@@ -59,3 +59,8 @@ impl<T: Scalar> Wave<T> {
         Self { rate: self.rate, sin: self.cos * self.rate, cos: -self.sin * self.rate }
     }
 }
+
+checked! {
+    [T: Scalar] FigureEight<T>, [T] { amplitudes: [T; 2], rate: T } =>
+    Self::new(amplitudes[0], amplitudes[1], rate)
+}

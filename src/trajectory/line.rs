@@ -43,3 +43,9 @@ impl<T: Scalar, const D: usize> Trajectory<D> for Line<T, D> {
         Limits { speed, acceleration: T::zero(), yaw_rate: turns.then(T::zero) }.over(from, to)
     }
 }
+
+checked! {
+    [T: Scalar, const D: usize] Line<T, D>, [T]
+    { start: SVector<T, D>, velocity: SVector<T, D> } =>
+    Self::new(start.into(), velocity.into())
+}

@@ -32,8 +32,12 @@ use crate::{
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MinimumJerk<T, const D: usize, const M: usize> {
     times: [T; M],
+    /// \[velocity, acceleration\] at the start and at the end.
+    ends: Ends<T, D>,
     spline: Spline<T, D, M>,
 }
+
+type Ends<T, const D: usize> = [[SVector<T, D>; 2]; 2];
 
 impl<T: Scalar, const D: usize, const M: usize> MinimumJerk<T, D, M> {
     /// From rest in the first of `points` to rest in the last, through each at its time.
@@ -66,8 +70,8 @@ impl<T: Scalar, const D: usize, const M: usize> MinimumJerk<T, D, M> {
         for [velocity, acceleration] in [start, end] {
             Boundary::new([T::zero(); D], velocity, acceleration).validate()?;
         }
-        let ends = [start, end].map(|end| Some(end.map(SVector::from)));
-        Ok(Self { times, spline: Spline::new(&vectors, &times, ends)? })
+        let ends = [start, end].map(|end| end.map(SVector::from));
+        Ok(Self { times, ends, spline: Spline::new(&vectors, &times, ends.map(Some))? })
     }
 }
 
@@ -92,4 +96,12 @@ pub(super) fn finite_points<T: Scalar, const D: usize, const M: usize>(
 ) -> Result<[SVector<T, D>; M], Error> {
     finite_slice("points", points.as_flattened())?;
     Ok(points.map(SVector::from))
+}
+
+#[cfg(feature = "serde")]
+impl<T: Scalar, const D: usize, const M: usize> MinimumJerk<T, D, M> {
+    /// The points, their times, and \[velocity, acceleration\] at the start and at the end.
+    pub(super) fn parameters(&self) -> ([[T; D]; M], [T; M], Ends<T, D>) {
+        (self.spline.points(), self.times, self.ends)
+    }
 }

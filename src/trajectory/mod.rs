@@ -29,6 +29,8 @@ mod limits;
 mod line;
 mod minimum_jerk;
 mod quintic;
+#[cfg(feature = "serde")]
+mod saved;
 mod spline;
 
 pub use boundary::Boundary;

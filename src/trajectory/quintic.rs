@@ -109,3 +109,9 @@ impl<T: Scalar, const D: usize> Trajectory<D> for Quintic<T, D> {
         }
     }
 }
+
+checked! {
+    [T: Scalar, const D: usize] Quintic<T, D>, [T]
+    { start: Boundary<T, D>, end: Boundary<T, D>, duration: T; coefficients } =>
+    Self::new(start, end, duration)
+}

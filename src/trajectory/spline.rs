@@ -94,6 +94,12 @@ impl<T: Scalar, const D: usize, const M: usize> Spline<T, D, M> {
         Ok(spline)
     }
 
+    /// The points that it goes through.
+    #[cfg(feature = "serde")]
+    pub fn points(&self) -> [[T; D]; M] {
+        self.0.map(|knot| knot.state.position.into())
+    }
+
     pub fn ends(&self) -> Option<[&Knot<T, D>; 2]> {
         Some([self.0.first()?, self.0.last()?])
     }

@@ -19,6 +19,7 @@ in_both_precisions! {
     no_flow_makes_a_membership_function_that_is_none,
     an_input_on_a_centre_holds_its_distances_and_only_travels,
     an_input_near_a_centre_holds_below_the_floor,
+    what_is_learned_elsewhere_is_seen_where_the_network_travels,
     fixed_memberships_stay_bit_for_bit,
     bounds_out_of_order_or_range_are_refused,
 }
@@ -224,6 +225,19 @@ fn no_flow_makes_a_membership_function_that_is_none<T: Scalar>() {
             );
         }
     }
+}
+
+/// The travelling network is an integrator, and still the network of its memberships and consequents.
+fn what_is_learned_elsewhere_is_seen_where_the_network_travels<T: Scalar>() {
+    let mut learner = learner::<T>(Antecedents::flow());
+    let e = SVector::from([0.25, -0.5].map(real));
+    learner.step(e, real(0.1), real(0.1));
+    let elsewhere = learner.network.fire(&SVector::from([-1.0, 0.5].map(real)));
+    learner.network.move_consequents(&elsewhere, T::one());
+    let mut resting = FuzzyNetwork::new(learner.network.memberships());
+    resting.set_consequents(&learner.network.consequents()).unwrap();
+    let u_n = learner.network.evaluate(&e).unwrap();
+    assert_abs_diff_eq!(u_n, resting.evaluate(&e).unwrap(), epsilon = ulps(32.0));
 }
 
 fn fixed_memberships_stay_bit_for_bit<T: Scalar>() {

@@ -54,6 +54,18 @@ fn sizes_have_limits() {
 }
 
 #[test]
+fn names_need_room() {
+    let figure = |width: f64| Figure::over_time("y").line(line()).size(width, 120.0).unwrap();
+    assert!(figure(140.0).svg().is_ok());
+    assert!(
+        refused(&figure(100.0).line(Line::new("y", [(0.0, 1.23456789e4)])))
+            .to_string()
+            .starts_with("least room")
+    );
+    assert!(figure(140.0).png(96).is_ok());
+}
+
+#[test]
 fn the_name_of_the_file_says_what_it_is() {
     let figure = Figure::over_time("y").line(line());
     let refused = figure.save("figure.pdf").unwrap_err();

@@ -13,6 +13,7 @@ use crate::{
 
 /// What a [`UnicycleController`] does where the robot is slower than its minimum speed, and ω = (u₂·cos θ − u₁·sin θ)/v has no sense.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Standstill {
     /// Answers with [`Error::Singular`].
     Refuse,
@@ -103,9 +104,7 @@ impl<T: Scalar, C: ChainControllers<T, 2, 2>> UnicycleController<T, C> {
         standstill: Standstill,
     ) -> Result<Self, Error> {
         let model = Moving { direction, min_speed: positive("min_speed", min_speed)? };
-        // det B = v: what is too slow is judged by the minimum speed alone.
-        let limit = T::max_value().unwrap_or(min_speed.recip());
-        let decoupling = Decoupling::new(model, axes).with_max_condition(limit)?;
+        let decoupling = unlimited(Decoupling::new(model, axes))?;
         Ok(Self { decoupling, standstill, speeds: None })
     }
 
@@ -118,6 +117,14 @@ impl<T: Scalar, C: ChainControllers<T, 2, 2>> UnicycleController<T, C> {
     pub fn axes_mut(&mut self) -> &mut C {
         self.decoupling.chains_mut()
     }
+}
+
+/// det B = v: what is too slow is judged by the minimum speed alone.
+fn unlimited<T: Scalar, C: ChainControllers<T, 2, 2>>(
+    decoupling: Decoupling<Moving<T>, C, 4, 2, 2>,
+) -> Result<Decoupling<Moving<T>, C, 4, 2, 2>, Error> {
+    let limit = T::max_value().unwrap_or(decoupling.model().min_speed.recip());
+    decoupling.with_max_condition(limit)
 }
 
 impl<T: Scalar, C: ChainControllers<T, 2, 2>> Controller<4, 2> for UnicycleController<T, C> {
@@ -177,4 +184,21 @@ impl<T: Scalar, C: ChainControllers<T, 2, 2>> Controller<4, 2> for UnicycleContr
     fn set_learning(&mut self, mode: LearningMode) {
         self.decoupling.set_learning(mode);
     }
+}
+
+checked! {
+    [T: Scalar] Moving<T>, [T] { direction: Direction, min_speed: T } =>
+    positive("min_speed", min_speed).map(|_| Self { direction, min_speed })
+}
+
+checked! {
+    [T: Scalar, C] UnicycleController<T, C>, [T, C; C: ChainControllers<T, 2, 2>]
+    {
+        decoupling: Decoupling<Moving<T>, C, 4, 2, 2>,
+        standstill: Standstill,
+        speeds: Option<[T; 2]>,
+    } =>
+    known("last v", speeds.iter().flatten().copied())
+        .and_then(|()| unlimited(decoupling))
+        .map(|decoupling| Self { decoupling, standstill, speeds })
 }

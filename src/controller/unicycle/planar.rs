@@ -8,6 +8,7 @@ use crate::{
 
 /// Which way a robot faces while it follows a reference.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Direction {
     /// Along the velocity: v > 0 (k = 0 in eq_ref_ha).
     Forward,
@@ -101,4 +102,9 @@ impl<T: Scalar> Heading<T> {
         self.last = Some(unwrapped);
         Ok(unwrapped)
     }
+}
+
+checked! {
+    [T: Scalar] Heading<T>, [T] { direction: Direction, last: Option<T> } =>
+    last.map_or(Ok(Self::new(direction)), |last| Self::from(direction, last))
 }

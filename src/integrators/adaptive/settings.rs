@@ -98,3 +98,19 @@ impl<M: Embedded<T, N> + Copy, T: Scalar, const N: usize> Propagator<T, N> for A
         self.solve(f, t, *x)?.advance(t + positive("duration", duration)?).copied()
     }
 }
+
+checked! {
+    [M, T: Scalar, const N: usize] Adaptive<M, T, N>, [M, T]
+    {
+        method: M,
+        tolerance: Tolerance<T, N>,
+        first_step: Option<T>,
+        longest_step: Option<T>,
+        step_limit: u64,
+    } =>
+    positive("first step", first_step.unwrap_or(T::one())).and_then(|_| {
+        positive("longest step", longest_step.unwrap_or(T::one()))?;
+        positive("step limit", step_limit as f64)?;
+        Ok(Self { method, tolerance, first_step, longest_step, step_limit })
+    })
+}

@@ -1,5 +1,10 @@
 /// What a [`Solver`](super::Solver) has spent.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(deny_unknown_fields)
+)]
 pub struct Statistics {
     /// Evaluations of f, those for finite differences included.
     pub evaluations: u64,

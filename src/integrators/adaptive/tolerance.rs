@@ -48,3 +48,8 @@ pub(crate) fn norm<T: Scalar, const N: usize>(v: &SVector<T, N>, weights: &SVect
     let squares = v.component_div(weights).norm_squared();
     (squares / constant(N.max(1) as f64)).sqrt()
 }
+
+checked! {
+    [T: Scalar, const N: usize] Tolerance<T, N>, [T] { relative: T, absolute: SVector<T, N> } =>
+    Self::per_component(relative, absolute)
+}

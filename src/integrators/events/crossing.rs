@@ -2,6 +2,7 @@ use core::cmp::Ordering;
 
 /// Which way a function crosses zero.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Direction {
     /// From g < 0 to g ≥ 0.
     Rising,
@@ -54,4 +55,9 @@ pub(super) fn crossed(side: Ordering, now: Ordering) -> Option<Direction> {
         (Ordering::Greater, Ordering::Equal | Ordering::Less) => Some(Direction::Falling),
         _ => None,
     }
+}
+
+checked! {
+    [] Crossing<>, [] { direction: Option<Direction>, terminal: bool } =>
+    Ok(Self { direction, terminal })
 }

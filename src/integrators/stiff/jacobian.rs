@@ -54,6 +54,11 @@ where
 /// # References
 /// A. C. Hindmarsh et al., *User Documentation for CVODE*, 2.1: the increments of its difference quotients.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(deny_unknown_fields)
+)]
 pub struct FiniteDifferences {
     autonomous: bool,
 }

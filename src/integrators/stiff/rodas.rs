@@ -19,6 +19,11 @@ use crate::{
 /// E. Hairer, G. Wanner, *Solving Ordinary Differential Equations II*, IV.7 and IV.10, and their code RODAS (method 1), whose coefficients
 /// these are.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(deny_unknown_fields)
+)]
 pub struct Rodas<J = FiniteDifferences> {
     jacobian: J,
 }

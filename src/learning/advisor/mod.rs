@@ -123,3 +123,8 @@ impl<T: Scalar> Advisor<T> {
         self.scales = Scales::new();
     }
 }
+
+checked! {
+    [T: Scalar] Advisor<T>, [T] { dt: T, scales: Scales<T> } =>
+    Self::new(dt).map(|new| Self { scales, ..new })
+}

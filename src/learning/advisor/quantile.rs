@@ -108,3 +108,23 @@ fn sort<T: Scalar>(values: &mut [T; 5]) {
         }
     }
 }
+
+checked! {
+    [T: Scalar] Quantile<T>, [T] { count: u32, heights: [T; 5], ranks: [u32; 5] } =>
+    known("marker", heights).and_then(|()| {
+        for (low, high) in heights.into_iter().zip(heights.into_iter().skip(1)) {
+            // The first five values are sorted when they are complete.
+            not_negative("distance of markers", if count < 5 { low } else { high - low })?;
+        }
+        not_negative("least marker", heights[0])?;
+        for (low, high) in ranks.into_iter().zip(ranks.into_iter().skip(1)) {
+            positive("distance of ranks", f64::from(high) - f64::from(low))?;
+        }
+        let (last, expected) = (ranks[4], count.max(5) - 1);
+        if ranks[0] != 0 || last != expected {
+            let [expected, found] = [expected, last].map(|rank| rank as usize);
+            return Err(crate::Error::Length { name: "ranks", expected, found });
+        }
+        Ok(Self { count, heights, ranks })
+    })
+}

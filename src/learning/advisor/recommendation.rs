@@ -135,3 +135,15 @@ impl<T: Scalar> fmt::Display for Recommendation<T> {
         write!(f, "a jump J of Δ is learned within J/{:.3e} s", alpha - bound)
     }
 }
+
+checked! {
+    [T: Scalar] Recommendation<T>, [T]
+    { dt: T, window: T, clarity: T, bound: T, noise: T, alpha: T, switching: Switching<T> } =>
+    Certificate::new(alpha, switching, dt, bound).and_then(|_| {
+        positive("window", window)?;
+        not_negative("clarity", clarity)?;
+        positive("bound on the rate of the uncertainty", bound)?;
+        not_negative("noise", noise)?;
+        Ok(Self { dt, window, clarity, bound, noise, alpha, switching })
+    })
+}

@@ -8,6 +8,14 @@ const ENOUGH: u32 = 20;
 
 /// First and second differences of a signal's means over windows of doubling length.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(bound(
+        serialize = "T: Scalar + serde::Serialize",
+        deserialize = "T: Scalar + serde::de::DeserializeOwned"
+    ))
+)]
 pub(super) struct Scales<T>([Scale<T>; SCALES]);
 
 /// The means over windows of one length.
@@ -97,4 +105,17 @@ impl<T: Scalar> Scale<T> {
             Some(half) => Some((half + mean) * constant(0.5)),
         }
     }
+}
+
+checked! {
+    [T: Scalar] Scale<T>, [T]
+    {
+        half: Option<T>,
+        last: Option<T>,
+        before: Option<T>,
+        step: Quantile<T>,
+        bend: Quantile<T>,
+    } =>
+    known("mean of the uncertainty", [half, last, before].into_iter().flatten())
+        .map(|()| Self { half, last, before, step, bend })
 }

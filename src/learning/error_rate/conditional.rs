@@ -37,3 +37,8 @@ impl<T: Scalar, E: ErrorRate<T, N>, const N: usize> ErrorRate<T, N> for Conditio
         Ok(if pushing && missing.abs() > self.tolerance { -at.u_b } else { rate })
     }
 }
+
+checked! {
+    [E, T: Scalar] Conditional<E, T>, [E, T] { source: E, tolerance: T } =>
+    Self::new(source, tolerance)
+}

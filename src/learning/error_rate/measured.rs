@@ -10,6 +10,7 @@ use crate::{Error, Scalar, learning::ClosedLoop};
 ///
 /// The first sample is no exception: before it the input is the one reported as applied, or 0. Where the sensor may drop out, put [`Redundant`](super::Redundant) around it.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Measured;
 
 impl<T: Scalar, const N: usize> ErrorRate<T, N> for Measured {

@@ -60,3 +60,13 @@ impl<T: Scalar, D: Differentiator<Scalar = T>, const N: usize> ErrorRate<T, N>
         Ok(-at.u_b - u_n - uncertainty)
     }
 }
+
+checked! {
+    [T: Scalar] Model<T>, [T] { drift: T, gain: T } =>
+    known("last a(x) and b(x)", [drift, gain]).map(|()| Self { drift, gain })
+}
+
+checked! {
+    [T: Scalar, D] ModelAided<T, D>, [T, D] { differentiator: D, last: Option<Model<T>> } =>
+    Ok(Self { differentiator, last })
+}

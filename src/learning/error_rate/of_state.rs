@@ -7,6 +7,7 @@ use crate::{Error, differentiator::Differentiator, learning::ClosedLoop};
 /// beside a noisy x_n, does not pass through the differentiator. In between, when both move together, e_n is the smaller of the two, and
 /// the differentiator alone, which takes e_n, has less to be late for. At the first sample ė_n = u_f, as ẋ̂_n = 0.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct OfState<D>(D);
 
 impl<D> OfState<D> {

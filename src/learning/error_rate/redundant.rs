@@ -6,6 +6,11 @@ use crate::{Error, Scalar, learning::ClosedLoop};
 ///
 /// A sensor that lies is not noticed here; see [`Guarded`](crate::learning::Guarded).
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(deny_unknown_fields)
+)]
 pub struct Redundant<A, B> {
     first: A,
     second: B,

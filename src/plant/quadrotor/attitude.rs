@@ -99,3 +99,5 @@ impl<T: Scalar> SmoothPlant<6, 3> for QuadrotorAttitude<T> {
 }
 
 control_affine!(QuadrotorAttitude, 6, 3);
+
+checked! { [T: Scalar] QuadrotorAttitude<T>, [T] { inertia: [T; 3] } => Self::new(inertia) }

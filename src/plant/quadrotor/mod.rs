@@ -97,3 +97,8 @@ impl<T: Scalar> SmoothPlant<14, 4> for Quadrotor<T> {
 }
 
 control_affine!(Quadrotor, 14, 4);
+
+checked! {
+    [T: Scalar] Quadrotor<T>, [T] { mass: T, attitude: QuadrotorAttitude<T>, gravity: T } =>
+    Self::new(mass, attitude, gravity)
+}

@@ -225,3 +225,20 @@ where
     finite_slice("g(x)", plant.input_fields(x).as_flattened())?;
     finite_slice("h(x)", &plant.outputs(x))
 }
+
+checked! {
+    [P, const NX: usize, const N: usize, const M: usize] Linearized<P, NX, N, M>,
+    [P, P::Scalar; P: SmoothPlant<NX, M>]
+    {
+        plant: P,
+        degrees: Array<usize, M> = Array(*degrees),
+        min_gains: Array<P::Scalar, M> = Array(*min_gains),
+    } =>
+    {
+        let refused = |&(_, degree): &(usize, usize)| !(1..=N).contains(&degree);
+        match degrees.0.into_iter().enumerate().find(refused) {
+            Some((output, found)) => Err(Error::RelativeDegree { output, expected: N, found }),
+            None => Self { plant, degrees: degrees.0, min_gains: min_gains.0 }.with_min_gains(min_gains.0),
+        }
+    }
+}

@@ -34,6 +34,11 @@ pub struct TwoLinkArm<T> {
 
 /// A rigid link of [`TwoLinkArm`].
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(deny_unknown_fields)
+)]
 pub struct Link<T> {
     /// The mass m > 0 in kg.
     pub mass: T,
@@ -230,4 +235,10 @@ impl<T: Scalar> Decouplable<4, 2, 2> for TwoLinkArm<T> {
     fn chain_rates(&self, _x: &SVector<T, 4>, x_dot: &SVector<T, 4>) -> SVector<T, 2> {
         halves(x_dot).1
     }
+}
+
+checked! {
+    [T: Scalar] TwoLinkArm<T>, [T]
+    { links: [Link<T>; 2], friction: [T; 2], gravity: T, payload: T } =>
+    Self::new(links, friction, gravity).and_then(|arm| arm.with_payload(payload))
 }
