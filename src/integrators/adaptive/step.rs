@@ -1,3 +1,5 @@
+use core::cmp::Ordering;
+
 use nalgebra::SVector;
 
 use super::{
@@ -70,7 +72,12 @@ where
                 _ => {
                     rejected = true;
                     self.statistics.rejected += 1;
-                    h = length * StepControl::rejected(error, M::ESTIMATE + 1);
+                    let shorter = length * StepControl::rejected(error, M::ESTIMATE + 1);
+                    // Among the least numbers nothing is shorter, and no end to looking for it.
+                    if shorter.partial_cmp(&length) != Some(Ordering::Less) {
+                        return Err(Error::StepTooSmall { time: value(t), step: value(length) });
+                    }
+                    h = shorter;
                 }
             }
         };
