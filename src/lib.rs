@@ -24,11 +24,11 @@
 //! | [`fuzzy`] | membership functions, rule grid, network | – |
 //! | [`differentiator`] | the rate of a sampled signal: differences, robust exact, high-gain, tracking | – |
 //! | [`learning`] | sources of ė_n, adaptation rules, compensators, certificates | fuzzy, differentiator |
-//! | [`actuator`] | saturation, rate limits | – |
-//! | [`controller`] | gains, feedback linearization, CLELC, decoupling, the unicycle | plant, learning, actuator |
+//! | [`channel`] | what becomes of signals on their way: limits, lag, delay, quantization, noise, losses | – |
+//! | [`controller`] | gains, feedback linearization, CLELC, decoupling, the unicycle | plant, learning, channel |
 //! | [`elementary`] | sine, cosine, hypotenuse in the scalar's own precision | – |
 //! | [`trajectory`] | references r(t) with their derivatives: analytic curves, minimum jerk, constant speed | controller |
-//! | [`simulation`] | the sampled loop, figures of merit | all |
+//! | [`simulation`] | the sampled loop with sensors, actuators and clocks of their own; figures of merit | all |
 //! | `ensemble` | many runs of an experiment in parallel, sweeps, statistics (feature) | – |
 //!
 //! The [`prelude`] names what a typical program needs. [`nalgebra`] is re-exported, so that its version fits.
@@ -39,6 +39,7 @@
 //! * `reproducible`: the functions of `libm` with `std` too, for the same bits on every platform.
 //! * `serde`: plants, controllers, learners, trajectories are saved with all that they have learned, and go on bit for bit when they are
 //!   loaded. Loading checks what the constructors check. It needs neither `std` nor an allocator. See [Saving and loading](saving).
+//! * `random`: channels that draw random numbers: noise, losses. It needs no `std` and no allocator.
 //! * `ensemble`: Monte Carlo ensembles and sweeps; `parallel` runs them on all cores, `progress` shows how far they are.
 //!
 //! [From simulation to hardware](hardware) is a page for those who put a controller on a machine.
@@ -54,7 +55,7 @@ pub mod saving {}
 #[macro_use]
 mod checked;
 
-pub mod actuator;
+pub mod channel;
 pub mod controller;
 pub mod differentiation;
 pub mod differentiator;

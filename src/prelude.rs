@@ -7,14 +7,14 @@ pub use crate::{
         Measurement, Mode, Reference, Supervised,
     },
     fuzzy::{FuzzyNetwork, Gaussian},
-    integrators::{Euler, Heun, Integrator, Rk4},
+    integrators::{Adaptive, DormandPrince, Euler, Heun, Integrator, Rk4, Rodas, Tolerance},
     learning::{
         Antecedents, BackwardDifference, Certificate, Compensator, FilteredDifference,
         GradientDescent, Guarded, LearningMode, Measured, ModelAided, Monitor, NeuroFuzzy,
         NullCompensator, NullRule, SlidingMode, Switching, Watchdog,
     },
     plant::{ControlAffine, FeedbackLinearizable, Plant, Uncertain},
-    simulation::{ErrorMetrics, Simulation, StepInfo, TotalVariation},
+    simulation::{ErrorMetrics, Hardware, Sensors, Simulation, StepInfo, TotalVariation},
     trajectory::Trajectory,
 };
 pub use nalgebra::{SMatrix, SVector};

@@ -1,7 +1,7 @@
 use nalgebra::SVector;
 
 use super::{Accept, Command, Controller, Measurement};
-use crate::{Error, actuator::Actuator, learning::LearningMode};
+use crate::{Error, channel::Channel, learning::LearningMode};
 
 /// A controller behind whose command stands an actuator with limits, and which is told what arrived.
 ///
@@ -57,7 +57,7 @@ impl<C, A: Clone, T, const NU: usize> Limited<C, A, T, NU> {
 impl<C, A, const NX: usize, const NU: usize> Controller<NX, NU> for Limited<C, A, C::Scalar, NU>
 where
     C: Controller<NX, NU>,
-    A: Actuator<C::Scalar, NU>,
+    A: Channel<C::Scalar, NU>,
 {
     type Scalar = C::Scalar;
     type Reference = C::Reference;
@@ -75,7 +75,7 @@ where
         let told = Measurement { applied: measurement.applied.or(self.arrived), ..*measurement };
         let mut u = SVector::zeros();
         let asked = self.controller.update_if(&told, reference, dt, &mut |asked| {
-            let (actuator, arrived) = self.actuator.driven(&asked.input(), dt)?;
+            let (actuator, arrived) = self.actuator.passed(&asked.input(), dt)?;
             accept(&LimitedCommand { u: arrived, asked: *asked })?;
             (self.actuator, self.arrived, u) = (actuator, Some(arrived), arrived);
             Ok(())

@@ -75,6 +75,8 @@ impl<T: Scalar, const N: usize> Embedded<T, N> for DormandPrince {
     ) {
     }
 
+    // What it returns is large: inlined, it is written where it is kept.
+    #[inline(always)]
     fn attempt(
         &self,
         mut f: impl FnMut(T, &SVector<T, N>) -> SVector<T, N>,

@@ -19,7 +19,7 @@ use crate::{
 /// R is for rules with no limit of their own: under [`SlidingMode`](super::SlidingMode) the step is αh at the most anyway, while under
 /// [`GradientDescent`](super::GradientDescent) it grows with s, so one outlier of a sensor moves u_n arbitrarily far. An R below the
 /// rate of Δ leaves a lag to the feedback. It limits learning: with [`Fixed`](super::Antecedents::Fixed) antecedents u_n also moves when e
-/// does, by what is known already. A [`RateLimit`](crate::actuator::RateLimit) limits the input itself.
+/// does, by what is known already. A [`RateLimit`](crate::channel::RateLimit) limits the input itself.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bounded<R, T> {
     rule: R,

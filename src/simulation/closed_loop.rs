@@ -1,12 +1,11 @@
-use core::{
-    fmt,
-    iter::{FusedIterator, Take},
-};
+use core::{fmt, iter};
 
 use nalgebra::SVector;
 
+use super::{Hardware, Sample, Sensor, Tick, Truth};
 use crate::{
     Error, Scalar,
+    channel::Channel,
     controller::{Command, Controller, Measurement},
     error::{finite_vector, not_negative, positive},
     integrators::{Discontinuities, Propagator, Rk4},
@@ -16,16 +15,23 @@ use crate::{
 
 /// A sampled controller in closed loop with a continuous plant.
 ///
-/// At sample k the time is t = k·dt, computed and never accumulated. The order within a sample is:
+/// The clock ticks every `dt`: tick j is at t = j·dt, computed and never accumulated. The order within a tick is:
 ///
-/// 1. the plant is integrated from sample k−1 to k under the input of sample k−1 (zero-order hold), in `substeps` equal steps or in those
+/// 1. the plant is integrated from tick j−1 to j under the input of tick j−1 (zero-order hold), in `substeps` equal steps or in those
 ///    that an [`Adaptive`](crate::integrators::Adaptive) method chooses;
-/// 2. the state is measured, together with ẋ just before the sample and the input it was under (0 before the first sample);
-/// 3. the reference is taken at t, the controller is updated, and its command is yielded as a [`Sample`].
+/// 2. the sensors are read, if it is their turn: they see the state, ẋ just before the tick and the input it was under (0 before the first
+///    tick);
+/// 3. the controller is called, if it is its turn, with what the sensors showed last, the reference at t and the time since its last call;
+/// 4. the actuators move, if it is their turn, toward the last command (0 before the first), and what they do is the plant's input from
+///    here on;
+/// 5. if the controller was called, a [`Sample`] is yielded.
 ///
-/// A disturbance that switches at a sampling instant acts from that instant on: the integration up to a sample sees times before it
-/// only, so the switch is not smeared over a step. One that switches between samples is [declared](Self::discontinuities); the period is
-/// then integrated in the pieces before and after it.
+/// Without [`Hardware`] it is everyone's turn at every tick, sensors show the truth and actuators do as they are told. Delays, noise, losses
+/// and limits are [channels](crate::channel) of the hardware.
+///
+/// A disturbance that switches at a tick acts from that instant on: the integration up to a tick sees times before it only, so the switch
+/// is not smeared over a step. One that switches between ticks is [declared](Self::discontinuities); the tick is then integrated in the
+/// pieces before and after it.
 ///
 /// The iterator is infinite; [`until`](Self::until) ends it at a time. After an error it ends.
 ///
@@ -43,38 +49,41 @@ use crate::{
 /// # Ok::<(), brunovsky::Error>(())
 /// ```
 #[derive(Clone)]
-pub struct Simulation<'a, P, C, R, const NX: usize, const NU: usize, I = Rk4>
-where
+pub struct Simulation<
+    'a,
+    P,
+    C,
+    R,
+    const NX: usize,
+    const NU: usize,
+    I = Rk4,
+    H = Hardware,
+    M = Measurement<<P as Plant<NX, NU>>::Scalar, NX, NU>,
+> where
     P: Plant<NX, NU>,
 {
     plant: &'a P,
+    hardware: H,
     controller: C,
     reference: R,
     integrator: I,
     substeps: u32,
     discontinuities: Discontinuities<'a, P::Scalar>,
     dt: P::Scalar,
-    k: u64,
+    /// The tick that comes next.
+    tick: u64,
+    /// The last tick.
+    end: u64,
+    /// The number of the next call of the controller, and its tick.
+    call: u64,
+    due: u64,
+    /// The tick of the last one.
+    called: Option<u64>,
     x: SVector<P::Scalar, NX>,
+    seen: Option<M>,
+    asked: SVector<P::Scalar, NU>,
     u: SVector<P::Scalar, NU>,
     ended: bool,
-}
-
-/// What happened at one sample of a [`Simulation`]: `command` holds over \[t, t + dt).
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Sample<T, R, C, const NX: usize, const NU: usize> {
-    /// The number of the sample, from 0.
-    pub k: u64,
-    /// The time t = k·dt in seconds.
-    pub t: T,
-    /// The true state x(t).
-    pub x: SVector<T, NX>,
-    /// The reference given to the controller.
-    pub reference: R,
-    /// The controller's command.
-    pub command: C,
-    /// The input that the plant receives over \[t, t + dt).
-    pub u: SVector<T, NU>,
 }
 
 impl<'a, T, P, C, R, const NX: usize, const NU: usize> Simulation<'a, P, C, R, NX, NU>
@@ -98,54 +107,95 @@ where
         x0: impl Into<SVector<T, NX>>,
         dt: T,
     ) -> Result<Self, Error> {
+        Self::with_hardware(plant, Hardware::default(), controller, reference, x0, dt)
+    }
+}
+
+impl<'a, T, P, C, R, S, A, L, const NX: usize, const NU: usize, const NY: usize>
+    Simulation<'a, P, C, R, NX, NU, Rk4, Hardware<S, A, L>, Measurement<T, NY, NU>>
+where
+    T: Scalar,
+    P: Plant<NX, NU, Scalar = T>,
+    C: Controller<NY, NU, Scalar = T>,
+    R: FnMut(T) -> C::Reference,
+    S: Sensor<T, NX, NU, Seen = Measurement<T, NY, NU>>,
+    A: Channel<T, NU>,
+    L: FnMut(u64) -> u64,
+{
+    /// The same with `hardware` between the plant and a `controller` that takes what its sensors show for the state; `dt` > 0 is the tick of
+    /// its clocks in seconds.
+    ///
+    /// # Errors
+    /// Those of [`new`](Simulation::new), and [`Error::NotBelow`] for a call that would be late by its period.
+    pub fn with_hardware(
+        plant: &'a P,
+        mut hardware: Hardware<S, A, L>,
+        controller: C,
+        reference: R,
+        x0: impl Into<SVector<T, NX>>,
+        dt: T,
+    ) -> Result<Self, Error> {
         let x = x0.into();
         finite_vector("x0", &x)?;
         Ok(Self {
             plant,
+            due: hardware.due(0)?,
+            hardware,
             controller,
             reference,
             integrator: Rk4,
             substeps: 10,
             discontinuities: Discontinuities::default(),
             dt: positive("dt", dt)?,
-            k: 0,
+            tick: 0,
+            end: u64::MAX,
+            call: 0,
+            called: None,
             x,
+            seen: None,
+            asked: SVector::zeros(),
             u: SVector::zeros(),
             ended: false,
         })
     }
 }
 
-impl<'a, T, P, C, R, I, const NX: usize, const NU: usize> Simulation<'a, P, C, R, NX, NU, I>
+impl<'a, T, P, C, R, I, H, M, const NX: usize, const NU: usize>
+    Simulation<'a, P, C, R, NX, NU, I, H, M>
 where
     T: Scalar,
     P: Plant<NX, NU, Scalar = T>,
-    C: Controller<NX, NU, Scalar = T>,
-    R: FnMut(T) -> C::Reference,
     I: Propagator<T, NX>,
 {
     /// The same loop with another integration method: [`Heun`](crate::integrators::Heun), or
     /// `Adaptive::new(Rodas::new(), Tolerance::new(1e-6, 1e-9)?)`.
-    pub fn integrator<J>(self, integrator: J) -> Simulation<'a, P, C, R, NX, NU, J>
-    where
-        J: Propagator<T, NX>,
-    {
+    pub fn integrator<J: Propagator<T, NX>>(
+        self,
+        integrator: J,
+    ) -> Simulation<'a, P, C, R, NX, NU, J, H, M> {
         Simulation {
             plant: self.plant,
+            hardware: self.hardware,
             controller: self.controller,
             reference: self.reference,
             integrator,
             substeps: self.substeps,
             discontinuities: self.discontinuities,
             dt: self.dt,
-            k: self.k,
+            tick: self.tick,
+            end: self.end,
+            call: self.call,
+            due: self.due,
+            called: self.called,
             x: self.x,
+            seen: self.seen,
+            asked: self.asked,
             u: self.u,
             ended: self.ended,
         }
     }
 
-    /// The same loop with `substeps` steps of the integrator in a period, or in each of its pieces; an adaptive one chooses its own.
+    /// The same loop with `substeps` steps of the integrator in a tick, or in each of its pieces; an adaptive one chooses its own.
     ///
     /// # Errors
     /// [`Error::NotPositive`] for 0.
@@ -156,7 +206,7 @@ where
 
     /// The same loop with the `times` in seconds, in ascending order, at which the plant or its uncertainty jumps: to its value for t ≥ time.
     ///
-    /// The method keeps its order there; a jump within a step that is not declared is smeared over it. Sampling instants need no declaration.
+    /// The method keeps its order there; a jump within a step that is not declared is smeared over it. Ticks need no declaration.
     ///
     /// # Errors
     /// [`Error::NonFinite`] for a time, [`Error::NotBelow`] for two that do not ascend.
@@ -164,46 +214,28 @@ where
         Ok(Self { discontinuities: Discontinuities::new(times)?, ..self })
     }
 
-    /// The samples from here to the last one at or before the time `t_end` in seconds, give or take its rounding.
+    /// The same loop, up to the last tick at or before the time `t_end` in seconds, give or take its rounding.
     ///
     /// # Errors
     /// [`Error::Negative`] or [`Error::NonFinite`] for `t_end`.
-    pub fn until(self, t_end: T) -> Result<Take<Self>, Error> {
+    pub fn until(self, t_end: T) -> Result<Self, Error> {
         not_negative("t_end", t_end)?;
         // A quotient that is a whole number but for its rounding counts as that number; the cast rounds down.
-        let periods = t_end / self.dt * (T::one() + T::default_epsilon() * constant(4.0));
-        let last = crate::error::value(periods) as u64;
-        let left = last.saturating_add(1).saturating_sub(self.k);
-        Ok(self.take(usize::try_from(left).unwrap_or(usize::MAX)))
+        let ticks = t_end / self.dt * (T::one() + T::default_epsilon() * constant(4.0));
+        Ok(Self { end: crate::error::value(ticks) as u64, ..self })
     }
 
-    /// The true state at the last sample (also if the controller failed there), or at the start.
+    /// The true state at the last tick (also if the controller failed there), or at the start.
     pub fn state(&self) -> &SVector<T, NX> {
         &self.x
     }
 
-    /// The time k·dt of sample `k`.
-    fn time(&self, k: u64) -> T {
-        constant::<T>(k as f64) * self.dt
+    /// `count` ticks in seconds.
+    fn ticks_long(&self, count: u64) -> T {
+        constant::<T>(count as f64) * self.dt
     }
 
-    fn sample(&mut self) -> Result<Sample<T, C::Reference, C::Command, NX, NU>, Error> {
-        let t = self.time(self.k);
-        if let Some(last) = self.k.checked_sub(1) {
-            self.x = self.propagated(self.time(last), t)?;
-        }
-        let u = self.u;
-        let field = held(self.plant, u, t);
-        let measurement = Measurement::new(self.x).with_rate(field(t, &self.x)).with_applied(u);
-        let reference = (self.reference)(t);
-        let command = self.controller.update(&measurement, &reference, self.dt)?;
-        self.u = command.input();
-        let sample = Sample { k: self.k, t, x: self.x, reference, command, u: self.u };
-        self.k += 1;
-        Ok(sample)
-    }
-
-    /// The state after the period from `start` to `end`, in pieces over which the plant is smooth.
+    /// The state after the tick from `start` to `end`, in pieces over which the plant is smooth.
     fn propagated(&self, start: T, end: T) -> Result<SVector<T, NX>, Error> {
         let (mut t, mut x, mut left) = (start, self.x, self.dt);
         while let Some(jump) = self.discontinuities.after(t).filter(|jump| *jump < end) {
@@ -213,6 +245,93 @@ where
         }
         self.integrator.propagate(held(self.plant, self.u, end), t, &x, left, self.substeps)
     }
+}
+
+impl<T, P, C, R, I, S, A, L, const NX: usize, const NU: usize, const NY: usize>
+    Simulation<'_, P, C, R, NX, NU, I, Hardware<S, A, L>, Measurement<T, NY, NU>>
+where
+    T: Scalar,
+    P: Plant<NX, NU, Scalar = T>,
+    C: Controller<NY, NU, Scalar = T>,
+    R: FnMut(T) -> C::Reference,
+    I: Propagator<T, NX>,
+    S: Sensor<T, NX, NU, Seen = Measurement<T, NY, NU>>,
+    A: Channel<T, NU>,
+    L: FnMut(u64) -> u64,
+{
+    /// The loop tick by tick: also those between the calls of the controller.
+    pub fn ticks(mut self) -> impl Iterator<Item = Result<TickOf<C, T, NX, NU, NY>, Error>> {
+        iter::from_fn(move || self.next_tick())
+    }
+
+    fn next_tick(&mut self) -> Option<Result<TickOf<C, T, NX, NU, NY>, Error>> {
+        if self.ended || self.tick > self.end {
+            return None;
+        }
+        let tick = self.advance();
+        self.ended = tick.is_err();
+        Some(tick)
+    }
+
+    fn advance(&mut self) -> Result<TickOf<C, T, NX, NU, NY>, Error> {
+        let j = self.tick;
+        let t = self.ticks_long(j);
+        if let Some(last) = j.checked_sub(1) {
+            self.x = self.propagated(self.ticks_long(last), t)?;
+        }
+        if let Some(period) = due_at(j, self.hardware.sensor_every) {
+            let x_dot = held(self.plant, self.u, t)(t, &self.x);
+            let truth = Truth { t, x: self.x, x_dot, u: self.u };
+            let (sensor, seen) = self.hardware.sensor.sensed(&truth, self.ticks_long(period))?;
+            (self.hardware.sensor, self.seen) = (sensor, Some(seen));
+        }
+        let called = if j == self.due { Some(self.call_controller(t)?) } else { None };
+        if let Some(period) = due_at(j, self.hardware.actuator_every) {
+            let (actuator, u) =
+                self.hardware.actuator.passed(&self.asked, self.ticks_long(period))?;
+            (self.hardware.actuator, self.u) = (actuator, u);
+        }
+        self.tick = j + 1;
+        let sample = called.map(|sample| Sample { u: self.u, ..sample });
+        Ok(Tick { t, x: self.x, u: self.u, sample })
+    }
+
+    /// The next call of the controller; what the plant receives is not known yet.
+    fn call_controller(&mut self, t: T) -> Result<SampleOf<C, T, NX, NU, NY>, Error> {
+        let period = u64::from(self.hardware.controller_every);
+        let elapsed = self.called.map_or(period, |called| self.tick - called);
+        let seen = self.seen.ok_or(Error::Missing { name: "measurement" })?;
+        let reference = (self.reference)(t);
+        let command = self.controller.update(&seen, &reference, self.ticks_long(elapsed))?;
+        let sample = Sample { k: self.call, t, x: self.x, seen, reference, command, u: self.u };
+        let asked = command.input();
+        finite_vector("u", &asked)?;
+        self.asked = asked;
+        self.called = Some(self.tick);
+        self.call += 1;
+        self.due = self.hardware.due(self.call)?;
+        Ok(sample)
+    }
+}
+
+/// A [`Sample`] of the controller `C`.
+type SampleOf<C, T, const NX: usize, const NU: usize, const NY: usize> = Sample<
+    T,
+    <C as Controller<NY, NU>>::Reference,
+    <C as Controller<NY, NU>>::Command,
+    NX,
+    NU,
+    Measurement<T, NY, NU>,
+>;
+
+/// A [`Tick`] with the samples of the controller `C`.
+type TickOf<C, T, const NX: usize, const NU: usize, const NY: usize> =
+    Tick<SampleOf<C, T, NX, NU, NY>, T, NX, NU>;
+
+/// The period of something that is due at tick `j` and every `every` ticks.
+fn due_at(j: u64, every: u32) -> Option<u64> {
+    let every = u64::from(every);
+    (j.checked_rem(every) == Some(0)).then_some(every)
 }
 
 /// ẋ = F(t, x, `u`) before `end`: later times are not shown. The start, 0, has no "before": ẋ is then taken at the start itself.
@@ -226,14 +345,14 @@ fn held<T: Scalar, P: Plant<NX, NU, Scalar = T>, const NX: usize, const NU: usiz
 }
 
 /// Where the loop stands; a plant, a controller or a reference need not be printable.
-impl<P: Plant<NX, NU>, C, R, I, const NX: usize, const NU: usize> fmt::Debug
-    for Simulation<'_, P, C, R, NX, NU, I>
+impl<P: Plant<NX, NU>, C, R, I, H, M, const NX: usize, const NU: usize> fmt::Debug
+    for Simulation<'_, P, C, R, NX, NU, I, H, M>
 {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         f.debug_struct("Simulation")
             .field("dt", &self.dt)
             .field("substeps", &self.substeps)
-            .field("k", &self.k)
+            .field("tick", &self.tick)
             .field("x", &self.x)
             .field("u", &self.u)
             .field("ended", &self.ended)
@@ -241,34 +360,35 @@ impl<P: Plant<NX, NU>, C, R, I, const NX: usize, const NU: usize> fmt::Debug
     }
 }
 
-impl<T, P, C, R, I, const NX: usize, const NU: usize> Iterator
-    for Simulation<'_, P, C, R, NX, NU, I>
+impl<T, P, C, R, I, S, A, L, const NX: usize, const NU: usize, const NY: usize> Iterator
+    for Simulation<'_, P, C, R, NX, NU, I, Hardware<S, A, L>, Measurement<T, NY, NU>>
 where
     T: Scalar,
     P: Plant<NX, NU, Scalar = T>,
-    C: Controller<NX, NU, Scalar = T>,
+    C: Controller<NY, NU, Scalar = T>,
     R: FnMut(T) -> C::Reference,
     I: Propagator<T, NX>,
+    S: Sensor<T, NX, NU, Seen = Measurement<T, NY, NU>>,
+    A: Channel<T, NU>,
+    L: FnMut(u64) -> u64,
 {
-    type Item = Result<Sample<T, C::Reference, C::Command, NX, NU>, Error>;
+    type Item = Result<SampleOf<C, T, NX, NU, NY>, Error>;
 
     fn next(&mut self) -> Option<Self::Item> {
-        if self.ended {
-            return None;
+        loop {
+            match self.next_tick()? {
+                Err(error) => return Some(Err(error)),
+                Ok(Tick { sample: Some(sample), .. }) => return Some(Ok(sample)),
+                Ok(_) => {}
+            }
         }
-        let sample = self.sample();
-        self.ended = sample.is_err();
-        Some(sample)
     }
 }
 
-impl<T, P, C, R, I, const NX: usize, const NU: usize> FusedIterator
-    for Simulation<'_, P, C, R, NX, NU, I>
+impl<T, P, C, R, I, S, A, L, const NX: usize, const NU: usize, const NY: usize> iter::FusedIterator
+    for Simulation<'_, P, C, R, NX, NU, I, Hardware<S, A, L>, Measurement<T, NY, NU>>
 where
-    T: Scalar,
+    Self: Iterator,
     P: Plant<NX, NU, Scalar = T>,
-    C: Controller<NX, NU, Scalar = T>,
-    R: FnMut(T) -> C::Reference,
-    I: Propagator<T, NX>,
 {
 }

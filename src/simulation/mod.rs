@@ -10,14 +10,20 @@
 
 mod closed_loop;
 mod error_metrics;
+mod hardware;
 #[cfg(feature = "csv")]
 mod recording;
+mod sample;
+mod sensor;
 mod step_info;
 mod total_variation;
 
-pub use closed_loop::{Sample, Simulation};
+pub use closed_loop::Simulation;
 pub use error_metrics::ErrorMetrics;
+pub use hardware::Hardware;
 #[cfg(feature = "csv")]
 pub use recording::{Column, Recording, RecordingError};
+pub use sample::{Sample, Tick};
+pub use sensor::{Sensor, Sensors, State, Truth};
 pub use step_info::StepInfo;
 pub use total_variation::TotalVariation;

@@ -1,7 +1,7 @@
 //! Off, frozen, thawed: in closed loop, through every wrapper that a learning controller can be in.
 
 use brunovsky::{
-    actuator::Saturation,
+    channel::Saturation,
     controller::{
         Command, Controller, Decoupling, Limited, Measurement, Mode, Reference, Supervised,
         unicycle::{Direction, Standstill, UnicycleController},

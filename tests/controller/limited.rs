@@ -1,6 +1,6 @@
 use brunovsky::{
     Error,
-    actuator::{Ideal, RateLimit, Saturation},
+    channel::{Ideal, RateLimit, Saturation},
     controller::{Controller, Limited, Measurement, Reference},
     learning::{BackwardDifference, ErrorRate, ModelAided, SlidingMode},
     plant::{IntegratorChain, Uncertain},

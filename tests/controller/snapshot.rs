@@ -1,7 +1,7 @@
 //! A copy of a controller is a snapshot: put back in mid-run, it goes on to the last bit as it did the first time.
 
 use brunovsky::{
-    actuator::RateLimit,
+    channel::RateLimit,
     controller::{
         Clelc, Controller, Decoupling, Limited, Mode, Reference, Supervised,
         unicycle::{Direction, Standstill, UnicycleController},

@@ -2,7 +2,7 @@
 
 use brunovsky::{
     Error, Scalar,
-    actuator::Saturation,
+    channel::Saturation,
     controller::{
         Command, Controller, Limited, Measurement, Mode, Reference, Supervised, SupervisedCommand,
     },

@@ -1,7 +1,7 @@
 use std::fmt::Debug;
 
 use brunovsky::{
-    actuator::{RateLimit, Saturation},
+    channel::{RateLimit, Saturation},
     controller::{
         Clelc, Controller, Decoupling, FeedbackLinearization, Gains, Limited, Mode, Padded,
         Supervised,

@@ -2,7 +2,7 @@
 //! than those of any controller.
 
 use brunovsky::{
-    actuator::{RateLimit, Saturation},
+    channel::{RateLimit, Saturation},
     controller::{Clelc, Command, Controller, FeedbackLinearization, Gains, Limited},
     differentiator::FilteredDifference,
     fuzzy::{FuzzyNetwork, Gaussian},

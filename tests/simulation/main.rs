@@ -9,6 +9,7 @@ mod precisions;
 mod closed_loop;
 mod error_metrics;
 mod gradient;
+mod hardware;
 mod recording;
 mod step_info;
 mod total_variation;

@@ -1,5 +1,5 @@
 use brunovsky::{
-    actuator::Saturation,
+    channel::Saturation,
     controller::unicycle::{Direction, Standstill, UnicycleController},
     plant::IntegratorChain,
     prelude::*,

@@ -44,15 +44,15 @@ pub fn rows(run: &[Sample]) -> Result<Vec<Row>, brunovsky::Error> {
     let row = |sample: &Sample| {
         let reference = &sample.reference;
         let traction = GROUND.traction(sample.x[0], sample.x[1]);
-        let [first, second] = sample.command.decided.asked.decoupled.chains;
+        let [first, second] = sample.command.asked.decoupled.chains;
         Ok(Row {
             t: sample.t,
             rx: reference[0].r[0],
             ry: reference[1].r[0],
             px: sample.x[0],
             py: sample.x[1],
-            gx: sample.command.gnss[0],
-            gy: sample.command.gnss[1],
+            gx: sample.seen.x[0],
+            gy: sample.seen.x[1],
             theta_r: heading.update(reference)?,
             theta: sample.x[2],
             error: error(sample),

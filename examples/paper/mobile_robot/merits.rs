@@ -33,7 +33,7 @@ pub fn distance(sample: &Sample, position: [f64; 2]) -> f64 {
 
 /// Distance of reference and GNSS position.
 pub fn error(sample: &Sample) -> f64 {
-    distance(sample, sample.command.gnss)
+    distance(sample, [sample.seen.x[0], sample.seen.x[1]])
 }
 
 /// Distance of reference and true position.
@@ -67,7 +67,7 @@ pub const FIGURES: [&str; 5] =
 
 /// The [`FIGURES`] of a run.
 pub fn figures(run: &[Sample]) -> Result<[f64; 5], Error> {
-    let limited = |sample: &Sample| sample.u[1] != sample.command.decided.asked.omega;
+    let limited = |sample: &Sample| sample.u[1] != sample.command.asked.omega;
     let diverged = on_track(run).any(|sample| error_true(sample) > DIVERGED);
     let seconds = on_track(run).count() as f64 * PERIOD;
     Ok([

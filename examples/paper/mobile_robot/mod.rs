@@ -6,7 +6,7 @@
 use std::{fs, path::Path};
 
 use brunovsky::{
-    actuator::Saturation,
+    channel::{Ideal, Saturation},
     controller::{
         ChainControllers, ClelcCommand, Limited, LimitedCommand,
         unicycle::{Direction, Standstill, UnicycleCommand, UnicycleController},
@@ -14,7 +14,7 @@ use brunovsky::{
     learning::{AdaptationRule, Compensator, ErrorRate},
     plant::{IntegratorChain, TrackedRobot},
     prelude::*,
-    simulation,
+    simulation::{self, Hardware},
     trajectory::{ConstantSpeed, Trajectory},
 };
 
@@ -31,7 +31,7 @@ mod tables;
 
 use ground::{GROUND, Ground};
 pub use random::run as run_random;
-use sensors::{Accuracy, Sensed, SensedCommand};
+use sensors::Accuracy;
 
 const EXPERIMENT: &str = "mobile-robot";
 const LAMBDA: f64 = 0.3;
@@ -54,7 +54,8 @@ const OFFSET: f64 = 1.0;
 type Path2 = ConstantSpeed<f64, 2, 9>;
 type Axes = [ClelcCommand<f64>; 2];
 type Decided = LimitedCommand<UnicycleCommand<f64, Axes>, f64, 2>;
-type Sample = simulation::Sample<f64, [Reference<f64, 2>; 2], SensedCommand<Decided>, 5, 2>;
+type Sample =
+    simulation::Sample<f64, [Reference<f64, 2>; 2], Decided, 5, 2, Measurement<f64, 4, 2>>;
 
 /// Straight, a left turn, a right turn, a left turn, straight: scaled until its sharpest turn needs `yaw_rate` in rad/s.
 fn path(yaw_rate: f64) -> Result<Path2, Error> {
@@ -135,9 +136,10 @@ fn simulate(
     let robot = TrackedRobot::new(0.3, |x, y| field.ground.traction(x, y))?;
     let controller = UnicycleController::new(axes, Direction::Forward, 0.05, Standstill::Hold)?;
     let limits = Saturation::new([0.0, -field.limit], [2.0 * SPEED, field.limit])?;
-    let sensed = Sensed::new(Limited::new(controller, limits), field.accuracy, seed);
+    let limited = Limited::new(controller, limits);
+    let hardware = Hardware::new(field.accuracy.sensors(seed)?, Ideal);
     let start = [0.0, field.offset, 0.0, SPEED, 0.0];
-    Simulation::new(&robot, sensed, |t| path.references(t), start, PERIOD)?
+    Simulation::with_hardware(&robot, hardware, limited, |t| path.references(t), start, PERIOD)?
         .until(path.duration())?
         .collect()
 }

@@ -1,9 +1,12 @@
-//! What the robot's sensors make of its motion, and what a controller sees of them.
+//! What the robot's sensors make of its motion.
 
-use brunovsky::prelude::*;
+use brunovsky::{
+    channel::{Noise, Wander},
+    prelude::*,
+    simulation::{Sensor, Sensors, Truth},
+};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
-use rand_distr::{Distribution, StandardNormal};
 
 /// Standard deviations of the sensors.
 #[derive(Clone, Copy)]
@@ -29,91 +32,24 @@ impl Accuracy {
         let wander = (sigma * sigma - white * white).sqrt();
         Self { wander, wander_time: 60.0, white, speed: 0.01, heading: 0.005 }
     }
-}
 
-/// A controller of the unicycle behind the sensors of a tracked robot: it sees (g_x, g_y, θ, v) where the robot has
-/// (p_x, p_y, θ, v_t, ω_t).
-#[derive(Clone)]
-pub struct Sensed<C> {
-    controller: C,
-    accuracy: Accuracy,
-    wander: [f64; 2],
-    random: ChaCha8Rng,
-}
-
-/// A command and the GNSS position that it was decided on.
-#[derive(Clone, Copy)]
-pub struct SensedCommand<D> {
-    /// The position as the GNSS had it.
-    pub gnss: [f64; 2],
-    /// What the controller decided.
-    pub decided: D,
-}
-
-impl<D: Command<f64, 2>> Command<f64, 2> for SensedCommand<D> {
-    fn input(&self) -> SVector<f64, 2> {
-        self.decided.input()
-    }
-}
-
-impl<C> Sensed<C> {
-    /// `controller` behind sensors whose noise follows from `seed` alone.
-    pub fn new(controller: C, accuracy: Accuracy, seed: u64) -> Self {
+    /// Sensors whose noise follows from `seed` alone: they show (g_x, g_y, θ, v) where the robot has (p_x, p_y, θ, v_t, ω_t).
+    pub fn sensors(
+        &self,
+        seed: u64,
+    ) -> Result<impl Sensor<f64, 5, 2, Seen = Measurement<f64, 4, 2>> + use<>, Error> {
         let mut random = ChaCha8Rng::seed_from_u64(seed);
-        // The wander starts in its stationary distribution.
-        let wander = [0, 1].map(|_| accuracy.wander * normal(&mut random));
-        Self { controller, accuracy, wander, random }
+        let slow =
+            Wander::new([self.wander, self.wander, 0.0, 0.0], self.wander_time, random.clone())?;
+        random.set_stream(1);
+        let white = Noise::new([self.white, self.white, self.heading, self.speed], random)?;
+        Ok(Sensors::new(shown, (slow, white)))
     }
 }
 
-fn normal(random: &mut ChaCha8Rng) -> f64 {
-    StandardNormal.sample(random)
-}
-
-impl<C> Controller<5, 2> for Sensed<C>
-where
-    C: Controller<4, 2, Scalar = f64>,
-{
-    type Scalar = f64;
-    type Reference = C::Reference;
-    type Command = SensedCommand<C::Command>;
-
-    fn update_if(
-        &mut self,
-        truth: &Measurement<f64, 5, 2>,
-        reference: &C::Reference,
-        dt: f64,
-        accept: Accept<Self::Command>,
-    ) -> Result<Self::Command, Error> {
-        let accuracy = self.accuracy;
-        let (mut random, mut wander) = (self.random.clone(), self.wander);
-        let kept = (-dt / accuracy.wander_time).exp();
-        for wander in &mut wander {
-            let fresh = accuracy.wander * (1.0 - kept * kept).sqrt();
-            *wander = *wander * kept + fresh * normal(&mut random);
-        }
-        let x_dot = truth.x_dot.ok_or(Error::Missing { name: "velocity over ground" })?;
-        let (sin, cos) = truth.x[2].sin_cos();
-        let gnss = [0, 1].map(|i| truth.x[i] + wander[i] + accuracy.white * normal(&mut random));
-        let heading = truth.x[2] + accuracy.heading * normal(&mut random);
-        let speed = x_dot[0] * cos + x_dot[1] * sin + accuracy.speed * normal(&mut random);
-        let seen = Measurement {
-            x: SVector::from([gnss[0], gnss[1], heading, speed]),
-            x_dot: None,
-            applied: truth.applied,
-        };
-        let decided = self.controller.update_if(&seen, reference, dt, &mut |decided| {
-            accept(&SensedCommand { gnss, decided: *decided })
-        })?;
-        (self.random, self.wander) = (random, wander);
-        Ok(SensedCommand { gnss, decided })
-    }
-
-    fn reset(&mut self) {
-        self.controller.reset();
-    }
-
-    fn set_learning(&mut self, mode: LearningMode) {
-        self.controller.set_learning(mode);
-    }
+/// Position, heading, and speed over ground along it.
+fn shown(truth: &Truth<f64, 5, 2>) -> SVector<f64, 4> {
+    let (sin, cos) = truth.x[2].sin_cos();
+    let speed = truth.x_dot[0] * cos + truth.x_dot[1] * sin;
+    SVector::from([truth.x[0], truth.x[1], truth.x[2], speed])
 }

@@ -75,10 +75,16 @@ pub struct Attempt<T, const N: usize, S> {
 }
 
 /// Σᵢ cᵢ·vᵢ.
+// Inlined, the coefficients are constants and the loop is gone.
+#[inline(always)]
 pub(crate) fn combination<T: Scalar, const N: usize, const S: usize>(
     coefficients: [f64; S],
     vectors: [&SVector<T, N>; S],
 ) -> SVector<T, N> {
-    let terms = coefficients.into_iter().zip(vectors);
-    terms.fold(SVector::zeros(), |sum, (c, v)| sum + v * constant::<T>(c))
+    let mut sum = SVector::zeros();
+    for (i, (c, v)) in coefficients.into_iter().zip(vectors).enumerate() {
+        let term = v * constant::<T>(c);
+        if i == 0 { sum = term } else { sum += term }
+    }
+    sum
 }

@@ -46,7 +46,7 @@ where
 
         let shortest = t.abs() * epsilon::<T>() * constant(10.0);
         let mut rejected = false;
-        let (attempt, error, length) = loop {
+        let (error, length) = loop {
             // A little longer rather than a tiny step at the end.
             let reached = left.filter(|left| h * constant(1.01) >= *left);
             if h <= shortest && (rejected || reached.is_none()) {
@@ -57,8 +57,13 @@ where
             self.statistics.factorizations += u64::from(M::LINEARIZES);
             let error =
                 attempt.as_ref().and_then(|attempt| error(&settings.tolerance, &x, attempt));
-            match attempt.zip(error) {
-                Some((attempt, error)) if error <= T::one() => break (attempt, error, length),
+            match (attempt, error) {
+                (Some(attempt), Some(error)) if error <= T::one() => {
+                    self.x = attempt.x;
+                    self.rate = attempt.rate;
+                    self.last = Some(Step { from, h: length, attempt });
+                    break (error, length);
+                }
                 _ => {
                     rejected = true;
                     self.statistics.rejected += 1;
@@ -67,20 +72,17 @@ where
             }
         };
         self.statistics.accepted += 1;
-        let growth = self.control.accepted(error, M::ESTIMATE + 1);
-        let next = length * if rejected { growth.min(T::one()) } else { growth };
-        if length < h {
-            // Cut short by the end: the length that was planned still holds.
-            self.h = Some(next.max(h));
+        let cut_short = length < h;
+        let growth = if cut_short {
+            self.control.cut_short(error, M::ESTIMATE + 1)
         } else {
-            self.control.remember(error);
-            self.h = Some(next);
-        }
+            self.control.accepted(error, M::ESTIMATE + 1)
+        };
+        let next = length * if rejected { growth.min(T::one()) } else { growth };
+        // Where the end cut it short, the length that was planned still holds.
+        self.h = Some(if cut_short { next.max(h) } else { next });
         let arrived = left == Some(length);
         self.t = end.filter(|_| arrived).unwrap_or(t + length);
-        self.x = attempt.x;
-        self.rate = attempt.rate;
-        self.last = Some(Step { from, h: length, attempt });
         if arrived && jump.is_some() {
             self.forget();
         }

@@ -11,25 +11,33 @@ use crate::{Scalar, scalar::constant};
 /// E. Hairer, G. Wanner, *Solving Ordinary Differential Equations II*, IV.2, for α and β.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct StepControl<T> {
+    /// ln ε₋₁: a sum of logarithms costs less than two powers.
     last: T,
 }
 
 impl<T: Scalar> StepControl<T> {
-    /// No step yet.
+    /// No step yet: as after one with an error of 10⁻⁴.
     pub(crate) fn new() -> Self {
-        Self { last: constant(1e-4) }
+        Self { last: constant::<T>(1e-4).ln() }
     }
 
-    /// How much longer the step after one of `error` ≤ 1 may be.
-    pub(crate) fn accepted(&self, error: T, k: i32) -> T {
+    /// After a step of `error` ≤ 1 whose length it chose: how much longer the next one may be.
+    pub(crate) fn accepted(&mut self, error: T, k: i32) -> T {
+        let size = error.ln();
+        let growth = self.growth(size, k);
+        self.last = size.max(constant::<T>(1e-4).ln());
+        growth
+    }
+
+    /// After a step of `error` ≤ 1 that was cut short: how much longer the next one may be.
+    pub(crate) fn cut_short(&self, error: T, k: i32) -> T {
+        self.growth(error.ln(), k)
+    }
+
+    fn growth(&self, size: T, k: i32) -> T {
         let (alpha, beta) = exponents::<T>(k);
-        let growth = error.powf(-alpha) * self.last.powf(beta) * constant(0.9);
+        let growth = (self.last * beta - size * alpha).exp() * constant(0.9);
         growth.min(constant(10.0)).max(constant(0.2))
-    }
-
-    /// Takes the error of a step whose length it chose.
-    pub(crate) fn remember(&mut self, error: T) {
-        self.last = error.max(constant(1e-4));
     }
 
     /// How much shorter a step has to be after one of `error` > 1, or of one that met a number that is not finite.

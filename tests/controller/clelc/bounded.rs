@@ -1,7 +1,7 @@
 //! Limits on what is learned, in closed loop.
 
 use brunovsky::{
-    actuator::Saturation,
+    channel::Saturation,
     controller::{Clelc, ClelcCommand, Limited, Reference},
     fuzzy::FuzzyNetwork,
     learning::{

@@ -1,7 +1,7 @@
 //! The guard in closed loop: faults on which learning fails and feedback alone does not, and what must not be taken for a fault.
 
 use brunovsky::{
-    actuator::Saturation,
+    channel::Saturation,
     controller::{Clelc, ClelcCommand, Limited, Reference},
     fuzzy::FuzzyNetwork,
     learning::{

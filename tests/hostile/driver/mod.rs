@@ -10,7 +10,7 @@
 //! | [`gains`] | gains from values, λ and poles |
 //! | [`network`] | membership functions and the fuzzy network, at rest and under a rule |
 //! | [`elementary`] | sines, cosines and hypotenuses |
-//! | [`actuator`] | saturation and rate limit |
+//! | [`channel`] | saturation, rate limit and all else that a signal passes |
 //! | [`trajectory`] | constructors, derivatives and limits of every trajectory |
 //! | [`simulation`] | integrators, the sampled loop and the figures of merit |
 //!
@@ -22,8 +22,8 @@
 //! `==` finds every difference but the sign of a zero, and no NaN equals itself. The sign of a zero shows in what `Debug` prints, which is exact for
 //! every other number too; as that is slow, an eighth of the inputs ask for it. Without it, a sign that matters shows in what follows.
 
-pub mod actuator;
 pub mod chain;
+pub mod channel;
 pub mod decoupling;
 pub mod elementary;
 pub mod gains;

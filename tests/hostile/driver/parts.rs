@@ -2,7 +2,7 @@
 
 use brunovsky::{
     Error,
-    actuator::{Actuator, Ideal, RateLimit, Saturation},
+    channel::{Channel, Ideal, RateLimit, Saturation},
     controller::{Clelc, FeedbackLinearization, Gains},
     fuzzy::{Firing, FuzzyNetwork, Gaussian, Grid, Inputs},
     learning::{
@@ -251,22 +251,22 @@ impl<T: Float> FeedbackLinearizable<2> for Model<T> {
     }
 }
 
-/// Any actuator.
+/// Any channel that a controller is told of.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum AnyActuator<T, const NU: usize> {
+pub enum AnyChannel<T, const NU: usize> {
     Ideal(Ideal),
     Saturation(Saturation<T, NU>),
     RateLimit(RateLimit<T, NU>),
     Pair((RateLimit<T, NU>, Saturation<T, NU>)),
 }
 
-impl<T: Float, const NU: usize> AnyActuator<T, NU> {
+impl<T: Float, const NU: usize> AnyChannel<T, NU> {
     pub fn decode(bytes: &mut Bytes) -> Result<Self, Error> {
         Ok(match bytes.byte() % 4 {
-            0 => AnyActuator::Ideal(Ideal),
-            1 => AnyActuator::Saturation(saturation(bytes)?),
-            2 => AnyActuator::RateLimit(rate_limit(bytes)?),
-            _ => AnyActuator::Pair((rate_limit(bytes)?, saturation(bytes)?)),
+            0 => AnyChannel::Ideal(Ideal),
+            1 => AnyChannel::Saturation(saturation(bytes)?),
+            2 => AnyChannel::RateLimit(rate_limit(bytes)?),
+            _ => AnyChannel::Pair((rate_limit(bytes)?, saturation(bytes)?)),
         })
     }
 }
@@ -286,24 +286,24 @@ pub fn rate_limit<T: Float, const NU: usize>(bytes: &mut Bytes) -> Result<RateLi
     if bytes.odd() { limit.starting_at(bytes.vector::<T, NU>()) } else { Ok(limit) }
 }
 
-impl<T: Float, const NU: usize> Actuator<T, NU> for AnyActuator<T, NU> {
-    fn driven(&self, u: &SVector<T, NU>, dt: T) -> Result<(Self, SVector<T, NU>), Error> {
+impl<T: Float, const NU: usize> Channel<T, NU> for AnyChannel<T, NU> {
+    fn passed(&self, u: &SVector<T, NU>, dt: T) -> Result<(Self, SVector<T, NU>), Error> {
         Ok(match self {
-            AnyActuator::Ideal(actuator) => {
-                let (actuator, u) = actuator.driven(u, dt)?;
-                (AnyActuator::Ideal(actuator), u)
+            AnyChannel::Ideal(channel) => {
+                let (channel, u) = channel.passed(u, dt)?;
+                (AnyChannel::Ideal(channel), u)
             }
-            AnyActuator::Saturation(actuator) => {
-                let (actuator, u) = actuator.driven(u, dt)?;
-                (AnyActuator::Saturation(actuator), u)
+            AnyChannel::Saturation(channel) => {
+                let (channel, u) = channel.passed(u, dt)?;
+                (AnyChannel::Saturation(channel), u)
             }
-            AnyActuator::RateLimit(actuator) => {
-                let (actuator, u) = actuator.driven(u, dt)?;
-                (AnyActuator::RateLimit(actuator), u)
+            AnyChannel::RateLimit(channel) => {
+                let (channel, u) = channel.passed(u, dt)?;
+                (AnyChannel::RateLimit(channel), u)
             }
-            AnyActuator::Pair(actuator) => {
-                let (actuator, u) = actuator.driven(u, dt)?;
-                (AnyActuator::Pair(actuator), u)
+            AnyChannel::Pair(channel) => {
+                let (channel, u) = channel.passed(u, dt)?;
+                (AnyChannel::Pair(channel), u)
             }
         })
     }

@@ -11,7 +11,7 @@ use brunovsky::{
 use super::{
     Bytes, Float, attack,
     controller::{Attack, Decode},
-    parts::{AnyActuator, Model, clelc},
+    parts::{AnyChannel, Model, clelc},
 };
 
 attack!();
@@ -25,7 +25,7 @@ fn attacked<T: Float>(bytes: &mut Bytes) -> Result<(), Error> {
     let kind = bytes.byte();
     let (model, answers) = Model::<T>::decode(bytes)?;
     let clelc = clelc::<_, T, 2, 2>(model, bytes)?;
-    let actuator = AnyActuator::<T, 1>::decode(bytes)?;
+    let actuator = AnyChannel::<T, 1>::decode(bytes)?;
     let fade = bytes.parameters::<T, 1>();
     let answers = answers && !bytes.wild;
     match kind % 4 {

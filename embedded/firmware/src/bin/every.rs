@@ -5,7 +5,7 @@
 
 use brunovsky::{
     Error,
-    actuator::{RateLimit, Saturation},
+    channel::{RateLimit, Saturation},
     controller::unicycle::{Direction, Standstill, UnicycleController},
     learning::{Bounded, Conditional, Redundant},
     plant::{IntegratorChain, Link, TwoLinkArm},

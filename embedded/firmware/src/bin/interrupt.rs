@@ -5,7 +5,7 @@
 
 use brunovsky::{
     Error,
-    actuator::Saturation,
+    channel::Saturation,
     elementary::sin_cos,
     learning::Bounded,
     plant::Pendulum,

@@ -1,4 +1,4 @@
-use brunovsky::{Error, Scalar, actuator::Saturation, nalgebra::SVector};
+use brunovsky::{Error, Scalar, channel::Saturation, nalgebra::SVector};
 use proptest::prelude::*;
 
 use super::{arrived, num};
