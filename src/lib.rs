@@ -37,9 +37,9 @@
 //! * `std` (default): elementary functions of the platform. Without it they come from `libm`, and the crate needs neither an
 //!   operating system nor an allocator.
 //! * `reproducible`: the functions of `libm` with `std` too, for the same bits on every platform.
+//! * `random`: channels that draw random numbers: noise, losses. It needs no `std` and no allocator.
 //! * `serde`: plants, controllers, learners, trajectories are saved with all that they have learned, and go on bit for bit when they are
 //!   loaded. Loading checks what the constructors check. It needs neither `std` nor an allocator. See [Saving and loading](saving).
-//! * `random`: channels that draw random numbers: noise, losses. It needs no `std` and no allocator.
 //! * `ensemble`: Monte Carlo ensembles and sweeps; `parallel` runs them on all cores, `progress` shows how far they are.
 //!
 //! [From simulation to hardware](hardware) is a page for those who put a controller on a machine.

@@ -33,6 +33,4 @@ impl<T: Scalar, const N: usize> Channel<T, N> for DeadZone<T, N> {
     }
 }
 
-checked! {
-    [T: Scalar, const N: usize] DeadZone<T, N>, [T] { width: SVector<T, N> } => Self::new(width)
-}
+checked! { [T: Scalar, const N: usize] DeadZone<T, N>, [T] { width: SVector<T, N> } => Self::new(width) }

@@ -35,6 +35,4 @@ impl<T: Scalar, const N: usize> Channel<T, N> for Quantization<T, N> {
     }
 }
 
-checked! {
-    [T: Scalar, const N: usize] Quantization<T, N>, [T] { step: SVector<T, N> } => Self::new(step)
-}
+checked! { [T: Scalar, const N: usize] Quantization<T, N>, [T] { step: SVector<T, N> } => Self::new(step) }

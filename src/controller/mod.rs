@@ -7,7 +7,7 @@
 //! | [`Decoupling`] | u = B⁻¹·(−a + ν), νᵢ from one [controller a chain](ChainControllers) | several chains |
 //! | [`Padded`] | any of them in a chain longer than its order | outputs of different relative degree |
 //! | [`UnicycleController`](unicycle::UnicycleController) | the same with v̇ = ξ (eq_transformation) | the unicycle robot |
-//! | [`Limited`] | any of them with an [actuator](crate::actuator) behind it, told what arrived | any plant |
+//! | [`Limited`] | any of them with an [actuator](crate::channel) behind it, told what arrived | any plant |
 //! | [`Supervised`] | any of them and an operator, who takes over and hands back without a bump | any plant |
 //!
 //! # Conventions

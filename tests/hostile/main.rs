@@ -45,5 +45,5 @@ macro_rules! withstand {
 }
 
 withstand! {
-    chain, channel, decoupling, elementary, gains, network, simulation, trajectory, unicycle, watch, wrapped,
+    chain, channel, decoupling, differentiator, elementary, gains, network, simulation, solver, trajectory, unicycle, watch, wrapped,
 }

@@ -20,7 +20,6 @@ use brunovsky::{
     simulation::{ErrorMetrics, StepInfo, TotalVariation},
     trajectory::{Boundary, Circle, ConstantSpeed, FigureEight, Line, MinimumJerk, Quintic},
 };
-
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use serde::{Serialize, de::DeserializeOwned};

@@ -35,5 +35,5 @@ impl<'a, T: Scalar> Discontinuities<'a, T> {
 
 /// The last time before `end` that a step from `start` shows to f, so that it does not see what begins at `end`.
 pub(crate) fn just_before<T: Scalar>(start: T, end: T) -> T {
-    end - end.abs().max(end - start) * epsilon()
+    end - end.abs().max(start.abs()) * epsilon()
 }

@@ -20,8 +20,10 @@ pub(crate) fn initial_step<T: Scalar, const N: usize>(
     let norm = |v: &SVector<T, N>| v.component_div(weights).norm();
     let (d0, d1) = (norm(&at.x), norm(&at.rate));
     let small = constant(1e-5);
-    let h0 = if d0 < small || d1 < small { constant(1e-6) } else { d0 / d1 * constant(0.01) };
-    let h0 = within(h0);
+    let ratio = d0 / d1 * constant(0.01);
+    // Without sizes to compare, or with some beyond the range, any short step will do.
+    let usable = d0 >= small && d1 >= small && ratio.is_finite() && ratio > T::zero();
+    let h0 = within(if usable { ratio } else { constant(1e-6) });
     let rate = f(at.t + h0, &(at.x + at.rate * h0));
     let d2 = norm(&(rate - at.rate)) / h0;
     let rate = d1.max(d2);

@@ -107,15 +107,16 @@ impl<'a, M: Embedded<T, N>, F, T: Scalar, const N: usize> Solver<'a, M, F, T, N>
     /// x(`t`) within the last step, by the method's dense output.
     ///
     /// # Errors
-    /// [`Error::NotBelow`] for a time outside of the last step, [`Error::NonFinite`] for one that is not finite.
+    /// [`Error::NotBelow`] for a time outside of the last step, [`Error::NonFinite`] for one that is not finite, [`Error::NonFiniteEntry`] for a
+    /// state that is not, between two large ones.
     pub fn interpolate(&self, t: T) -> Result<SVector<T, N>, Error> {
         finite("t", t)?;
         at_most("t", t, self.t)?;
         at_most("start of the step", self.step_start(), t)?;
-        Ok(match self.dense() {
+        match self.dense() {
             Some(dense) if t < self.t => dense.at(t),
-            _ => self.x,
-        })
+            _ => Ok(self.x),
+        }
     }
 
     /// The same time with the state `x`: an impact, a switch, anything that the last step does not lead to. What the solver knows of f is
@@ -164,7 +165,7 @@ where
     /// rejected further on than it ends.
     ///
     /// # Errors
-    /// [`Error::NonFiniteRate`] if f is not finite at t; [`Error::StepTooSmall`] if no step that changes t is within the tolerance: at a
+    /// [`Error::NonFinite`] for a step beyond the range of `T`; [`Error::NonFiniteRate`] if f is not finite at t; [`Error::StepTooSmall`] if no step that changes t is within the tolerance: at a
     /// pole or a jump, where f is not finite further on, or where rounding alone is more than the tolerance.
     pub fn step(&mut self) -> Result<(), Error> {
         self.step_towards(None)

@@ -1,3 +1,5 @@
+use core::cmp::Ordering;
+
 use nalgebra::SVector;
 
 use super::{
@@ -6,7 +8,7 @@ use super::{
 };
 use crate::{
     Error, Scalar,
-    error::value,
+    error::{finite, value},
     scalar::{constant, epsilon},
 };
 
@@ -22,9 +24,11 @@ where
         // What begins at the jump is not shown to a step that ends there.
         let latest = jump.map(|jump| just_before(self.t, jump)).or(stop);
         let (settings, t, x) = (&self.settings, self.t, self.x);
-        let mut f = |t: T, x: &SVector<T, N>| {
+        let mut f = |time: T, x: &SVector<T, N>| {
             self.statistics.evaluations += 1;
-            (self.f)(latest.map_or(t, |latest| t.min(latest)), x)
+            // What surrounds a time at the end of the range is not asked for.
+            let time = if time.is_finite() { time } else { t };
+            (self.f)(latest.map_or(time, |latest| time.min(latest)), x)
         };
         let rate = match self.rate {
             Some(rate) => rate,
@@ -53,6 +57,7 @@ where
                 return Err(Error::StepTooSmall { time: value(t), step: value(h) });
             }
             let length = reached.unwrap_or(h);
+            finite("t + h", t + length)?;
             let attempt = settings.method.attempt(&mut f, &from, &linearization, length);
             self.statistics.factorizations += u64::from(M::LINEARIZES);
             let error =
@@ -67,7 +72,12 @@ where
                 _ => {
                     rejected = true;
                     self.statistics.rejected += 1;
-                    h = length * StepControl::rejected(error, M::ESTIMATE + 1);
+                    let shorter = length * StepControl::rejected(error, M::ESTIMATE + 1);
+                    // Among the least numbers nothing is shorter, and no end to looking for it.
+                    if shorter.partial_cmp(&length) != Some(Ordering::Less) {
+                        return Err(Error::StepTooSmall { time: value(t), step: value(length) });
+                    }
+                    h = shorter;
                 }
             }
         };

@@ -139,7 +139,7 @@ impl<G, T: Scalar, const M: usize> Events<G, T, M> {
     where
         G: FnMut(T, &SVector<T, N>) -> [T; M],
     {
-        let values = self.values(t, &step.at(t))?;
+        let values = self.values(t, &step.at(t)?)?;
         let mut first: Option<(T, T, usize, Direction)> = None;
         for (i, value) in values.into_iter().enumerate() {
             self.find_side(i, t, step)?;
@@ -150,7 +150,7 @@ impl<G, T: Scalar, const M: usize> Events<G, T, M> {
             let width =
                 self.tolerance.unwrap_or(epsilon::<T>() * constant(4.0) * t.abs().max(step.h));
             let (side, since) = (self.sides[i], self.since[i]);
-            let g = |t| self.values(t, &step.at(t)).map(|values| values[i]);
+            let g = |t| self.values(t, &step.at(t)?).map(|values| values[i]);
             let (time, value) = locate(g, side, since, (t, value), width)?;
             let earlier = first.is_none_or(|(first, _, other, _)| {
                 let [this, other] = [i, other].map(|i| self.crossings[i].is_terminal());
@@ -175,7 +175,7 @@ impl<G, T: Scalar, const M: usize> Events<G, T, M> {
         if terminal {
             self.stop(time, step)?;
         }
-        Ok(Some(Occurrence { index, t: time, x: step.at(time), direction, terminal }))
+        Ok(Some(Occurrence { index, t: time, x: step.at(time)?, direction, terminal }))
     }
 
     /// What lies beyond a terminal event does not happen; what happens at the same time still counts.
@@ -183,7 +183,7 @@ impl<G, T: Scalar, const M: usize> Events<G, T, M> {
     where
         G: FnMut(T, &SVector<T, N>) -> [T; M],
     {
-        let values = self.values(time, &step.at(time))?;
+        let values = self.values(time, &step.at(time)?)?;
         for (i, value) in values.into_iter().enumerate() {
             self.since[i] = (time, value);
         }
@@ -202,7 +202,7 @@ impl<G, T: Scalar, const M: usize> Events<G, T, M> {
                 break;
             }
             let time = start + (t - start) * constant::<T>(0.5).powi(k);
-            let value = self.values(time, &step.at(time))?[i];
+            let value = self.values(time, &step.at(time)?)?[i];
             self.sides[i] = sign(value);
             self.since[i] = (time, value);
         }

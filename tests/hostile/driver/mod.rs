@@ -11,6 +11,8 @@
 //! | [`network`] | membership functions and the fuzzy network, at rest and under a rule |
 //! | [`elementary`] | sines, cosines and hypotenuses |
 //! | [`channel`] | saturation, rate limit and all else that a signal passes |
+//! | [`differentiator`] | every differentiator |
+//! | [`solver`] | adaptive integration and events |
 //! | [`trajectory`] | constructors, derivatives and limits of every trajectory |
 //! | [`simulation`] | integrators, the sampled loop and the figures of merit |
 //!
@@ -25,10 +27,12 @@
 pub mod chain;
 pub mod channel;
 pub mod decoupling;
+pub mod differentiator;
 pub mod elementary;
 pub mod gains;
 pub mod network;
 pub mod simulation;
+pub mod solver;
 pub mod trajectory;
 pub mod unicycle;
 pub mod watch;
