@@ -58,7 +58,11 @@ impl<'de, T: Deserialize<'de> + Copy, const N: usize> Visitor<'de> for Entries<T
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, mut entries: A) -> Result<Array<T, N>, A::Error> {
-        let first = entries.next_element()?.ok_or_else(|| A::Error::invalid_length(0, &self))?;
+        let first = if N == 0 { None } else { entries.next_element()? };
+        let Some(first) = first else {
+            let empty = <[T; N]>::try_from(&[][..]).map(Array);
+            return empty.map_err(|_| A::Error::invalid_length(0, &self));
+        };
         let mut array = [first; N];
         fill(&mut array, 1, &mut entries)?;
         Ok(Array(array))

@@ -47,3 +47,15 @@ impl<T: Scalar, const N: usize, const D: usize> Channel<T, N> for Delay<T, N, D>
         Ok((next, arrived))
     }
 }
+
+checked! {
+    [T: Scalar, const N: usize, const D: usize] Delay<T, N, D>, [T]
+    { line: Array<SVector<T, N>, D> = Array(*line), oldest: usize } =>
+    known("delayed signal", line.0.iter().flatten().copied()).and_then(|()| {
+        if oldest < D.max(1) {
+            Ok(Self { line: line.0, oldest })
+        } else {
+            Err(Error::NotBelow { name: "oldest", value: oldest as f64, limit: D as f64 })
+        }
+    })
+}

@@ -37,3 +37,12 @@ impl<T: Scalar, G: Rng + Clone, const N: usize> Channel<T, N> for Dropout<T, G, 
         Ok((Self { last: Some(arrived), random, ..*self }, arrived))
     }
 }
+
+checked! {
+    [T: Scalar, G, const N: usize] Dropout<T, G, N>, [T, G; G: Rng + Clone]
+    { probability: f64, last: Option<SVector<T, N>>, random: G } =>
+    Self::new(probability, random).and_then(|new| {
+        known("last signal", last.iter().flatten().copied())?;
+        Ok(Self { last, ..new })
+    })
+}

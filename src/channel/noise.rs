@@ -44,3 +44,9 @@ impl<T: Scalar, G: Rng + Clone, const N: usize> Channel<T, N> for Noise<T, G, N>
 pub(super) fn normal<T: Scalar, G: Rng, const N: usize>(random: &mut G) -> SVector<T, N> {
     SVector::from_fn(|_, _| constant(StandardNormal.sample(random)))
 }
+
+checked! {
+    [T: Scalar, G, const N: usize] Noise<T, G, N>, [T, G; G: Rng + Clone]
+    { deviation: SVector<T, N>, random: G } =>
+    Self::new(deviation, random)
+}

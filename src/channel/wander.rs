@@ -50,3 +50,12 @@ impl<T: Scalar, G: Rng + Clone, const N: usize> Channel<T, N> for Wander<T, G, N
         Ok((Self { at, random, ..*self }, arrived))
     }
 }
+
+checked! {
+    [T: Scalar, G, const N: usize] Wander<T, G, N>, [T, G; G: Rng + Clone]
+    { deviation: SVector<T, N>, time: T, at: SVector<T, N>, random: G } =>
+    deviation.iter().try_for_each(|size| not_negative("deviation", *size).map(|_| ())).and_then(|()| {
+        known("wander", at.iter().copied())?;
+        Ok(Self { deviation, time: positive("time constant", time)?, at, random })
+    })
+}

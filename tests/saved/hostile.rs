@@ -1,5 +1,5 @@
 use brunovsky::{
-    channel::{RateLimit, Saturation},
+    channel::{Delay, Lag, RateLimit, Saturation},
     controller::{
         Clelc, Controller, Decoupling, FeedbackLinearization, Gains, Supervised,
         unicycle::{Direction, Standstill, UnicycleController},
@@ -209,6 +209,16 @@ fn differentiators_out_of_range_are_named() {
         assert!(serde_json::from_str::<RobustExact<f64, 1>>(text).is_err());
         assert!(serde_json::from_str::<RobustExact<f64, 5>>(text).is_err());
     }
+}
+
+#[test]
+fn channels_out_of_range_are_named() {
+    let delay = Delay::<f64, 1, 3>::new();
+    assert_eq!(refusal(&delay, "/oldest", json!(3)), "oldest = 3 must be less than 3");
+    let lag = Lag::new([0.1]).unwrap();
+    assert_eq!(refusal(&lag, "/time/0", json!(0)), "time constant = 0 must be greater than 0");
+    let nothing = Delay::<f64, 1, 0>::new();
+    refusal(&nothing, "/line", json!([[0.0]]));
 }
 
 #[test]

@@ -1,11 +1,17 @@
+use std::fmt::Debug;
+
 use brunovsky::{
-    channel::Ideal,
+    channel::{
+        Bias, Channel, DeadZone, Delay, Dropout, Ideal, Lag, Noise, Quantization, RateLimit,
+        Saturation, Wander,
+    },
     controller::unicycle::{Direction, Heading},
     fuzzy::{FuzzyNetwork, Gaussian, Grid, Inputs},
     integrators::{
         Adaptive, Crossing, DormandPrince, Euler, Heun, Rk4, Rodas, Statistics, Tolerance,
     },
     learning::{Advisor, Monitor, SlidingMode, Watchdog},
+    nalgebra::SVector,
     plant::{
         BallAndBeam, CartPole, CartPoleOutput, DcMotor, Duffing, Electromagnet, FlexibleJoint,
         Linearized, MagneticLevitation, MotorDrivenLink, Quadrotor, QuadrotorAttitude, Traction,
@@ -14,6 +20,9 @@ use brunovsky::{
     simulation::{ErrorMetrics, StepInfo, TotalVariation},
     trajectory::{Boundary, Circle, ConstantSpeed, FigureEight, Line, MinimumJerk, Quintic},
 };
+use rand::SeedableRng;
+use rand_chacha::ChaCha8Rng;
+use serde::{Serialize, de::DeserializeOwned};
 
 use crate::support::{Number, comes_back, num, reference, reloaded};
 
@@ -22,6 +31,7 @@ in_both_precisions! {
     trajectories_come_back,
     watchers_come_back,
     plants_come_back,
+    channels_go_on,
     integrators_come_back,
     figures_of_merit_go_on,
     an_advisor_goes_on,
@@ -116,6 +126,39 @@ fn plants_come_back<T: Number>() {
     let at = quadrotor.hover([odd(6), odd(7), odd(8)], odd(9));
     let degrees = Quadrotor::<T>::DEGREES;
     comes_back(&Linearized::<_, 14, 4, 4>::with_degrees(quadrotor, degrees, at).unwrap());
+}
+
+fn channels_go_on<T: Number>() {
+    fn goes_on<T: Number, C>(mut channel: C)
+    where
+        C: Channel<T, 2> + Serialize + DeserializeOwned + PartialEq + Debug,
+    {
+        let mut loaded = Vec::new();
+        for k in 0..20 {
+            comes_back(&channel);
+            loaded.extend(reloaded(&channel));
+            let signal = SVector::from([odd(k), -odd::<T>(2 * k)]);
+            let (next, arrived) = channel.passed(&signal, num(0.1)).unwrap();
+            for loaded in &mut loaded {
+                let (passed, same) = loaded.passed(&signal, num(0.1)).unwrap();
+                assert_eq!((&passed, same), (&next, arrived));
+                *loaded = passed;
+            }
+            channel = next;
+        }
+    }
+    let size = SVector::from([odd::<T>(1), odd(2)]);
+    let random = || ChaCha8Rng::seed_from_u64(7);
+    goes_on::<T, _>(Ideal);
+    goes_on(Saturation::new(-size, size).unwrap());
+    goes_on(RateLimit::new(size).unwrap().starting_at(size).unwrap());
+    goes_on((Bias::new(size).unwrap(), DeadZone::new(size).unwrap()));
+    goes_on((Lag::new(size).unwrap(), Quantization::new(size).unwrap()));
+    goes_on(Delay::<T, 2, 0>::new());
+    goes_on(Delay::<T, 2, 40>::new().starting_at(size).unwrap());
+    goes_on(Noise::new(size, random()).unwrap());
+    goes_on(Wander::new(size, odd(3), random()).unwrap());
+    goes_on(Dropout::<T, _, 2>::new(0.4, random()).unwrap());
 }
 
 fn integrators_come_back<T: Number>() {
