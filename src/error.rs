@@ -228,6 +228,20 @@ pub(crate) fn not_negative<T: Scalar>(name: &'static str, x: T) -> Result<T, Err
     }
 }
 
+pub(crate) fn positive_vector<T: Scalar, const N: usize>(
+    name: &'static str,
+    x: &SVector<T, N>,
+) -> Result<(), Error> {
+    x.iter().try_for_each(|entry| positive(name, *entry).map(|_| ()))
+}
+
+pub(crate) fn not_negative_vector<T: Scalar, const N: usize>(
+    name: &'static str,
+    x: &SVector<T, N>,
+) -> Result<(), Error> {
+    x.iter().try_for_each(|entry| not_negative(name, *entry).map(|_| ()))
+}
+
 /// `x`, which is to be remembered, if differences with it over periods like `dt` are within the range of `T`: or else every sample after this
 /// one would be refused in its place. The factor is room for shorter periods, and for sums.
 pub(crate) fn remembered<T: Scalar>(name: &'static str, x: T, dt: T) -> Result<T, Error> {

@@ -1,7 +1,7 @@
 use nalgebra::SVector;
 
 use super::{Channel, validate};
-use crate::{Error, Scalar, error::not_negative};
+use crate::{Error, Scalar, error::not_negative_vector};
 
 /// A dead zone about 0: uᵢ ↦ uᵢ − min(max(uᵢ, −widthᵢ), widthᵢ), as of a valve with overlap or a gear with play and a spring.
 ///
@@ -18,7 +18,7 @@ impl<T: Scalar, const N: usize> DeadZone<T, N> {
     /// [`Error::Negative`] or [`Error::NonFinite`].
     pub fn new(width: impl Into<SVector<T, N>>) -> Result<Self, Error> {
         let width = width.into();
-        width.iter().try_for_each(|width| not_negative("width", *width).map(|_| ()))?;
+        not_negative_vector("width", &width)?;
         Ok(Self { width })
     }
 }

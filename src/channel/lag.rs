@@ -3,7 +3,7 @@ use nalgebra::SVector;
 use super::{Channel, validate};
 use crate::{
     Error, Scalar,
-    error::{finite_vector, positive},
+    error::{finite_vector, positive_vector},
     scalar::constant,
 };
 
@@ -25,7 +25,7 @@ impl<T: Scalar, const N: usize> Lag<T, N> {
     /// [`Error::NotPositive`] or [`Error::NonFinite`].
     pub fn new(time: impl Into<SVector<T, N>>) -> Result<Self, Error> {
         let time = time.into();
-        time.iter().try_for_each(|time| positive("time constant", *time).map(|_| ()))?;
+        positive_vector("time constant", &time)?;
         Ok(Self { time, y: SVector::zeros() })
     }
 

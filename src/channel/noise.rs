@@ -5,7 +5,7 @@ use rand_distr::{Distribution, StandardNormal};
 use super::{Channel, validate};
 use crate::{
     Error, Scalar,
-    error::{finite_vector, not_negative},
+    error::{finite_vector, not_negative_vector},
     scalar::constant,
 };
 
@@ -25,7 +25,7 @@ impl<T: Scalar, G: Rng + Clone, const N: usize> Noise<T, G, N> {
     /// [`Error::Negative`] or [`Error::NonFinite`].
     pub fn new(deviation: impl Into<SVector<T, N>>, random: G) -> Result<Self, Error> {
         let deviation = deviation.into();
-        deviation.iter().try_for_each(|size| not_negative("deviation", *size).map(|_| ()))?;
+        not_negative_vector("deviation", &deviation)?;
         Ok(Self { deviation, random })
     }
 }

@@ -1,7 +1,7 @@
 use nalgebra::SVector;
 
 use super::{Channel, validate};
-use crate::{Error, Scalar, error::positive};
+use crate::{Error, Scalar, error::positive_vector};
 
 /// Quantization of each signal to the nearest multiple of a step, halves away from 0: of a converter, or of an encoder between its lines.
 ///
@@ -18,7 +18,7 @@ impl<T: Scalar, const N: usize> Quantization<T, N> {
     /// [`Error::NotPositive`] or [`Error::NonFinite`].
     pub fn new(step: impl Into<SVector<T, N>>) -> Result<Self, Error> {
         let step = step.into();
-        step.iter().try_for_each(|step| positive("step", *step).map(|_| ()))?;
+        positive_vector("step", &step)?;
         Ok(Self { step })
     }
 }

@@ -3,7 +3,7 @@ use nalgebra::SVector;
 use super::{Channel, validate};
 use crate::{
     Error, Scalar,
-    error::{finite_vector, not_negative},
+    error::{finite_vector, not_negative_vector},
 };
 
 /// A limit on the rate of each signal: uᵢ moves from where it was by at most rateᵢ·dt.
@@ -22,9 +22,7 @@ impl<T: Scalar, const N: usize> RateLimit<T, N> {
     /// [`Error::Negative`] or [`Error::NonFinite`].
     pub fn new(rate: impl Into<SVector<T, N>>) -> Result<Self, Error> {
         let rate = rate.into();
-        for rate in rate.iter() {
-            not_negative("rate", *rate)?;
-        }
+        not_negative_vector("rate", &rate)?;
         Ok(Self { rate, u: SVector::zeros() })
     }
 

@@ -4,7 +4,7 @@ use rand::Rng;
 use super::{Channel, noise::normal, validate};
 use crate::{
     Error, Scalar,
-    error::{finite_vector, not_negative, positive},
+    error::{finite_vector, not_negative_vector, positive},
 };
 
 /// A slow error of each signal: uᵢ ↦ uᵢ + wᵢ, where wᵢ is a first-order Gauss–Markov process, as of a gyroscope's bias or a GNSS position.
@@ -27,7 +27,7 @@ impl<T: Scalar, G: Rng + Clone, const N: usize> Wander<T, G, N> {
     /// [`Error::Negative`], [`Error::NotPositive`] or [`Error::NonFinite`].
     pub fn new(deviation: impl Into<SVector<T, N>>, time: T, mut random: G) -> Result<Self, Error> {
         let deviation = deviation.into();
-        deviation.iter().try_for_each(|size| not_negative("deviation", *size).map(|_| ()))?;
+        not_negative_vector("deviation", &deviation)?;
         Ok(Self {
             deviation,
             time: positive("time constant", time)?,

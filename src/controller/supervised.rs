@@ -3,7 +3,7 @@ use nalgebra::SVector;
 use super::{Accept, Command, Controller, Measurement};
 use crate::{
     Error, Scalar,
-    error::{finite_vector, positive},
+    error::{finite_vector, positive, positive_vector},
     learning::LearningMode,
     scalar::faded,
 };
@@ -75,9 +75,7 @@ impl<C, T: Scalar, const NU: usize> Supervised<C, T, NU> {
         C: Controller<NX, NU, Scalar = T>,
     {
         let fade = fade.into();
-        for rate in fade.iter() {
-            positive("fade", *rate)?;
-        }
+        positive_vector("fade", &fade)?;
         controller.set_learning(LearningMode::Off);
         let zero = SVector::zeros();
         Ok(Self { controller, fade, mode: Mode::Manual, manual: zero, offset: zero, last: None })
@@ -238,7 +236,7 @@ checked! {
         offset: SVector<T, NU>,
         last: Option<(Mode, SVector<T, NU>)>,
     } =>
-    fade.iter().try_for_each(|fade| positive("fade", *fade).map(|_| ())).and_then(|()| {
+    positive_vector("fade", &fade).and_then(|()| {
         known("manual input and offset", manual.iter().chain(offset.iter()).copied())?;
         known("last u", last.iter().flat_map(|(_, last)| last.iter()).copied())?;
         Ok(Self { controller, fade, mode, manual, offset, last })

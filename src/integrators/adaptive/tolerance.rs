@@ -2,7 +2,7 @@ use nalgebra::SVector;
 
 use crate::{
     Error, Scalar,
-    error::{not_negative, positive},
+    error::{not_negative, positive_vector},
     scalar::constant,
 };
 
@@ -31,9 +31,7 @@ impl<T: Scalar, const N: usize> Tolerance<T, N> {
     /// As [`new`](Self::new), for the first component that is refused.
     pub fn per_component(rtol: T, atol: impl Into<SVector<T, N>>) -> Result<Self, Error> {
         let absolute = atol.into();
-        for &atol in &absolute {
-            positive("atol", atol)?;
-        }
+        positive_vector("atol", &absolute)?;
         Ok(Self { relative: not_negative("rtol", rtol)?, absolute })
     }
 
