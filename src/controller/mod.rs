@@ -8,6 +8,7 @@
 //! | [`Padded`] | any of them in a chain longer than its order | outputs of different relative degree |
 //! | [`UnicycleController`](unicycle::UnicycleController) | the same with v̇ = ξ (eq_transformation) | the unicycle robot |
 //! | [`Limited`] | any of them with an [actuator](crate::actuator) behind it, told what arrived | any plant |
+//! | [`Pid`] | u = K·(b·r − y) + I + D with anti-windup, bumpless | the output alone, no model |
 //! | [`Supervised`] | any of them and an operator, who takes over and hands back without a bump | any plant |
 //!
 //! # Conventions
@@ -32,6 +33,7 @@ mod gains;
 mod limited;
 mod measurement;
 mod padded;
+mod pid;
 mod reference;
 mod supervised;
 pub mod unicycle;
@@ -44,6 +46,7 @@ pub use gains::Gains;
 pub use limited::{Limited, LimitedCommand};
 pub use measurement::Measurement;
 pub use padded::Padded;
+pub use pid::{AntiWindup, Pid, PidCommand, PidGains};
 pub use reference::Reference;
 pub use supervised::{Mode, Supervised, SupervisedCommand};
 

@@ -16,6 +16,7 @@ mod learning_mode;
 mod limited;
 mod measurement;
 mod paper;
+mod pid;
 mod reference;
 mod snapshot;
 mod supervised;
