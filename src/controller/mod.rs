@@ -9,6 +9,7 @@
 //! | [`UnicycleController`](unicycle::UnicycleController) | the same with v̇ = ξ (eq_transformation) | the unicycle robot |
 //! | [`Limited`] | any of them with an [actuator](crate::actuator) behind it, told what arrived | any plant |
 //! | [`Pid`] | u = K·(b·r − y) + I + D with anti-windup, bumpless | the output alone, no model |
+//! | [`StateFeedback`] | u = u₀ + K·(r − x), K from an [LQR](lqr) or given | a linearization at an operating point |
 //! | [`Supervised`] | any of them and an operator, who takes over and hands back without a bump | any plant |
 //!
 //! # Conventions
@@ -31,10 +32,12 @@ mod decoupling;
 mod feedback_linearization;
 mod gains;
 mod limited;
+pub mod lqr;
 mod measurement;
 mod padded;
 mod pid;
 mod reference;
+mod state_feedback;
 mod supervised;
 pub mod unicycle;
 
@@ -48,6 +51,7 @@ pub use measurement::Measurement;
 pub use padded::Padded;
 pub use pid::{AntiWindup, Pid, PidCommand, PidGains};
 pub use reference::Reference;
+pub use state_feedback::StateFeedback;
 pub use supervised::{Mode, Supervised, SupervisedCommand};
 
 use nalgebra::SVector;
