@@ -8,6 +8,7 @@ mod precisions;
 #[path = "../common/smooth_plants.rs"]
 mod smooth_plants;
 
+mod adaptive;
 mod clelc;
 mod decoupling;
 mod feedback_linearization;

@@ -26,7 +26,7 @@ impl<T: Scalar, const N: usize> Gains<T, N> {
     /// The same among all u_b that are held over periods of `dt` in seconds, which the loop has to be run at.
     ///
     /// # Errors
-    /// Those of [`lqr::sampled`](sampled); [`Error::NotHurwitz`] for a period so long that these gains would not stabilize a loop without sampling.
+    /// Those of [`lqr::sampled`](sampled); [`Error::NotHurwitz`] should they not stabilize the loop without sampling, too.
     pub fn sampled_lqr(q: impl Into<SVector<T, N>>, r: T, dt: T) -> Result<Self, Error> {
         let (a, b) = chain();
         let weights = Weights::diagonal(q, [r])?;
