@@ -4,6 +4,7 @@
 //! |---|---|---|
 //! | [`FeedbackLinearization`] | u = b⁻¹·(−a + u_f + u_b) (eq_ndi_controllaw) | a model in chain form |
 //! | [`Clelc`] | u = b⁻¹·(−a + u_f + u_b + u_n) (eq_new_controllaw) | the same and a [compensator](crate::learning::Compensator) |
+//! | [`Backstepping`] | the same with k·e from cᵢ > 0, and its Lyapunov function | a model in chain form |
 //! | [`ModelReferenceAdaptive`] | u = b⁻¹·(−a + u_f + u_b + u_a), u_a learned from a reference model | a model in chain form, and φ(x) |
 //! | [`Decoupling`] | u = B⁻¹·(−a + ν), νᵢ from one [controller a chain](ChainControllers) | several chains |
 //! | [`Padded`] | any of them in a chain longer than its order | outputs of different relative degree |
@@ -28,6 +29,7 @@
 //! This module depends on [`plant`](crate::plant) for models and on [`learning`](crate::learning) for compensators.
 
 mod adaptive;
+mod backstepping;
 mod chain_controllers;
 mod clelc;
 mod decoupling;
@@ -47,6 +49,7 @@ pub use adaptive::{
     Leakage, ModelReferenceAdaptive, ModelReferenceAdaptiveCommand, Projection, Regressor,
     StateRegressor,
 };
+pub use backstepping::{Backstepping, BacksteppingCommand};
 pub use chain_controllers::{ChainControllers, Decided};
 pub use clelc::{Clelc, ClelcCommand};
 pub use decoupling::{Decoupling, DecouplingCommand};

@@ -9,6 +9,7 @@ mod precisions;
 mod smooth_plants;
 
 mod adaptive;
+mod backstepping;
 mod clelc;
 mod decoupling;
 mod feedback_linearization;
