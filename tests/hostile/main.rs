@@ -45,5 +45,5 @@ macro_rules! withstand {
 }
 
 withstand! {
-    actuator, chain, decoupling, elementary, gains, network, simulation, trajectory, unicycle, watch, wrapped,
+    actuator, chain, classical, decoupling, elementary, gains, network, simulation, trajectory, unicycle, watch, wrapped,
 }

@@ -73,7 +73,11 @@ impl<T: Scalar, const N: usize> Balanced<T, N> {
 
     /// The solution for x, D⁻¹·P·D⁻¹, from that for z.
     pub fn restored(&self, p: &SMatrix<T, N, N>) -> SMatrix<T, N, N> {
-        SMatrix::from_fn(|i, j| p[(i, j)] / self.units[i] / self.units[j])
+        // One order for both of a pair: where the first quotient is subnormal the other order rounds differently.
+        SMatrix::from_fn(|i, j| {
+            let (i, j) = (i.min(j), i.max(j));
+            p[(i, j)] / self.units[i] / self.units[j]
+        })
     }
 
     /// D⁻¹·B: what an input does to z.
