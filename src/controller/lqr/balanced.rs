@@ -1,6 +1,6 @@
 use nalgebra::{SMatrix, SVector};
 
-use super::size;
+use super::{size, symmetric};
 use crate::{Scalar, scalar::constant};
 
 /// The matrices of a Riccati equation in a state z, x = D·z, D diagonal with powers of 2: so nothing is rounded on the way there and back.
@@ -50,9 +50,11 @@ impl<T: Scalar, const N: usize> Balanced<T, N> {
     /// The sum of the entries that change with unit `i`, if that is multiplied by `factor`.
     fn sum(&self, i: usize, factor: T) -> T {
         let (mut grows, mut shrinks) = (T::zero(), T::zero());
-        for j in (0..N).filter(|j| *j != i) {
-            grows += self.a[(j, i)].abs() + self.q[(j, i)].abs();
-            shrinks += self.a[(i, j)].abs() + self.g[(i, j)].abs();
+        for j in 0..N {
+            if j != i {
+                grows += self.a[(j, i)].abs() + self.q[(j, i)].abs();
+                shrinks += self.a[(i, j)].abs() + self.g[(i, j)].abs();
+            }
         }
         grows += self.q[(i, i)].abs() * factor;
         shrinks += self.g[(i, i)].abs() / factor;
@@ -73,11 +75,8 @@ impl<T: Scalar, const N: usize> Balanced<T, N> {
 
     /// The solution for x, D⁻¹·P·D⁻¹, from that for z.
     pub fn restored(&self, p: &SMatrix<T, N, N>) -> SMatrix<T, N, N> {
-        // One order for both of a pair: where the first quotient is subnormal the other order rounds differently.
-        SMatrix::from_fn(|i, j| {
-            let (i, j) = (i.min(j), i.max(j));
-            p[(i, j)] / self.units[i] / self.units[j]
-        })
+        // Where the first quotient is subnormal the two orders of division differ.
+        symmetric(SMatrix::from_fn(|i, j| p[(i, j)] / self.units[i] / self.units[j]))
     }
 
     /// D⁻¹·B: what an input does to z.

@@ -127,7 +127,7 @@ fn rounding<T: Scalar>(n: usize) -> T {
 }
 
 /// A matrix that is finite and equals its transpose to rounding; the mean of both.
-fn mirrored<T: Scalar, const N: usize>(
+pub(super) fn mirrored<T: Scalar, const N: usize>(
     name: &'static str,
     m: SMatrix<T, N, N>,
 ) -> Result<SMatrix<T, N, N>, Error> {
@@ -149,31 +149,34 @@ fn mirrored<T: Scalar, const N: usize>(
 /// indefinite one. Where no more than `noise` is left it is 0.
 fn least_pivot<T: Scalar, const N: usize>(mut m: SMatrix<T, N, N>, noise: T) -> T {
     let mut least = T::max_value().unwrap_or(T::one());
-    for k in 0..N {
-        let mut largest = k;
-        for i in k + 1..N {
-            if m[(i, i)] > m[(largest, largest)] {
+    for _ in 0..N {
+        // Rows that were eliminated are 0, and come after all that is positive.
+        let mut largest = 0;
+        for i in 1..N {
+            if diagonal(&m, i) > diagonal(&m, largest) {
                 largest = i;
             }
         }
-        m.swap_rows(k, largest);
-        m.swap_columns(k, largest);
-        let pivot = m[(k, k)];
+        let pivot = diagonal(&m, largest);
         if pivot <= noise {
             // No diagonal entry is positive, so any entry that is left belongs to a direction of negative weight.
-            let left = size(&SMatrix::<T, N, N>::from_fn(|i, j| {
-                if i < k || j < k { T::zero() } else { m[(i, j)] }
-            }));
+            let left = size(&m);
             return if left > noise { -left } else { T::zero() };
         }
         least = least.min(pivot);
-        for i in k + 1..N {
-            let factor = m[(i, k)] / pivot;
-            for j in k + 1..N {
-                let above = m[(k, j)];
-                m[(i, j)] -= factor * above;
+        let column: SVector<T, N> =
+            SVector::from_fn(|i, _| m.get((i, largest)).copied().unwrap_or(T::zero()));
+        m = SMatrix::from_fn(|i, j| {
+            if i == largest || j == largest {
+                T::zero()
+            } else {
+                m[(i, j)] - column[i] / pivot * column[j]
             }
-        }
+        });
     }
     least
+}
+
+fn diagonal<T: Scalar, const N: usize>(m: &SMatrix<T, N, N>, i: usize) -> T {
+    m.get((i, i)).copied().unwrap_or(T::zero())
 }

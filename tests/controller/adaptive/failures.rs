@@ -25,7 +25,8 @@ fn parameters_out_of_range_are_refused_by_name() {
             [1.0, q],
         )
     };
-    let refusals: [(&str, &dyn Fn(f64) -> Result<Adaptive<StateRegressor, 2, 2>, Error>); 8] = [
+    type Build<'a> = &'a dyn Fn(f64) -> Result<Adaptive<StateRegressor, 2, 2>, Error>;
+    let refusals: [(&str, Build); 8] = [
         ("rate of learning", &|value| new(value, 1.0)),
         ("q", &|value| new(1.0, value)),
         ("sigma", &|sigma| fresh().with_leakage(Leakage::Sigma { sigma })),

@@ -138,7 +138,7 @@ fn factorizes<const N: usize>(q: [f64; N], r: f64) {
     let gains = Gains::lqr(q, r).unwrap();
     let mut p: Vec<f64> = gains.as_vector().iter().copied().collect();
     p.push(1.0);
-    for m in 0..N {
+    for (m, q) in q.into_iter().enumerate() {
         // The coefficient of s^(2m), and the size of what it is a sum of.
         let (mut found, mut size) = (0.0, 0.0);
         for i in 0..=2 * m {
@@ -149,7 +149,7 @@ fn factorizes<const N: usize>(q: [f64; N], r: f64) {
                 size += term.abs();
             }
         }
-        let expected = if m % 2 == 0 { q[m] / r } else { -q[m] / r };
+        let expected = if m % 2 == 0 { q / r } else { -q / r };
         assert!((found - expected).abs() <= 1e-10 * size, "{m}: {found} {expected} {p:?}");
     }
 }

@@ -38,5 +38,8 @@ fn an_unstable_matrix_has_no_lyapunov_function() {
             "{a:?}"
         );
     }
+    let lopsided = SMatrix::from([[1.0, 0.5], [0.0, 1.0]]);
+    let refused_weight = lqr::lyapunov(&-identity, &lopsided);
+    assert!(matches!(refused_weight, Err(Error::Asymmetric { name: "Q", row: 1, column: 0, .. })));
     assert!(matches!(refused([[f64::NAN; 2]; 2]), Err(Error::NonFiniteEntry { name: "A", .. })));
 }

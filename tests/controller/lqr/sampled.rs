@@ -132,7 +132,7 @@ fn sampled_gains_of_a_chain_approach_those_of_the_continuous_one() {
     let continuous = Gains::lqr(q, 0.5).unwrap();
     let apart = |h: f64| {
         let sampled = Gains::sampled_lqr(q, 0.5, h).unwrap();
-        (sampled.as_vector() - continuous.as_vector()).norm() as f64
+        (sampled.as_vector() - continuous.as_vector()).norm()
     };
     let order = (apart(0.01) / apart(0.005)).log2();
     assert!((order - 1.0).abs() < 0.05, "{order}");
