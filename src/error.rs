@@ -171,6 +171,42 @@ pub enum Error {
         /// The entry found there.
         value: f64,
     },
+    /// A matrix that has to be symmetric and differs from its transpose by more than rounding.
+    #[error(
+        "{name} is not symmetric: {below} at ({row}, {column}) and {above} at ({column}, {row})"
+    )]
+    Asymmetric {
+        /// The matrix.
+        name: &'static str,
+        /// The row of the entry below the diagonal, counted from 0.
+        row: usize,
+        /// Its column.
+        column: usize,
+        /// Its value.
+        below: f64,
+        /// That of the entry opposite.
+        above: f64,
+    },
+    /// A Riccati or Lyapunov equation without a stabilizing solution.
+    #[error(
+        "the {name} has no stabilizing solution: a mode that is not stable is out of reach of the input or of the cost, and {left} of it is left"
+    )]
+    NotStabilizable {
+        /// The equation.
+        name: &'static str,
+        /// The largest entry of what is left of the state after the longest time looked at.
+        left: f64,
+    },
+    /// An equation whose solution does not fulfil it.
+    #[error("the {name} is solved with a residual of {residual} only, above {limit}")]
+    Unsolved {
+        /// The equation.
+        name: &'static str,
+        /// What is left of it, as a share of its terms.
+        residual: f64,
+        /// The largest share allowed.
+        limit: f64,
+    },
     /// A slice of the wrong length.
     #[error("{name} has {found} entries, not {expected}")]
     Length {

@@ -4,10 +4,14 @@
 //! |---|---|---|
 //! | [`FeedbackLinearization`] | u = b⁻¹·(−a + u_f + u_b) (eq_ndi_controllaw) | a model in chain form |
 //! | [`Clelc`] | u = b⁻¹·(−a + u_f + u_b + u_n) (eq_new_controllaw) | the same and a [compensator](crate::learning::Compensator) |
+//! | [`Backstepping`] | the same with k·e from cᵢ > 0, and its Lyapunov function | a model in chain form |
+//! | [`ModelReferenceAdaptive`] | u = b⁻¹·(−a + u_f + u_b + u_a), u_a learned from a reference model | a model in chain form, and φ(x) |
 //! | [`Decoupling`] | u = B⁻¹·(−a + ν), νᵢ from one [controller a chain](ChainControllers) | several chains |
 //! | [`Padded`] | any of them in a chain longer than its order | outputs of different relative degree |
 //! | [`UnicycleController`](unicycle::UnicycleController) | the same with v̇ = ξ (eq_transformation) | the unicycle robot |
 //! | [`Limited`] | any of them with an [actuator](crate::channel) behind it, told what arrived | any plant |
+//! | [`Pid`] | u = K·(b·r − y) + I + D with anti-windup, bumpless | the output alone, no model |
+//! | [`StateFeedback`] | u = u₀ + K·(r − x), K from an [LQR](lqr) or given | a linearization at an operating point |
 //! | [`Supervised`] | any of them and an operator, who takes over and hands back without a bump | any plant |
 //!
 //! # Conventions
@@ -24,18 +28,28 @@
 //!
 //! This module depends on [`plant`](crate::plant) for models and on [`learning`](crate::learning) for compensators.
 
+mod adaptive;
+mod backstepping;
 mod chain_controllers;
 mod clelc;
 mod decoupling;
 mod feedback_linearization;
 mod gains;
 mod limited;
+pub mod lqr;
 mod measurement;
 mod padded;
+mod pid;
 mod reference;
+mod state_feedback;
 mod supervised;
 pub mod unicycle;
 
+pub use adaptive::{
+    Leakage, ModelReferenceAdaptive, ModelReferenceAdaptiveCommand, Projection, Regressor,
+    StateRegressor,
+};
+pub use backstepping::{Backstepping, BacksteppingCommand};
 pub use chain_controllers::{ChainControllers, Decided};
 pub use clelc::{Clelc, ClelcCommand};
 pub use decoupling::{Decoupling, DecouplingCommand};
@@ -44,7 +58,9 @@ pub use gains::Gains;
 pub use limited::{Limited, LimitedCommand};
 pub use measurement::Measurement;
 pub use padded::Padded;
+pub use pid::{AntiWindup, Pid, PidCommand, PidGains};
 pub use reference::Reference;
+pub use state_feedback::StateFeedback;
 pub use supervised::{Mode, Supervised, SupervisedCommand};
 
 use nalgebra::SVector;

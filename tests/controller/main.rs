@@ -8,16 +8,21 @@ mod precisions;
 #[path = "../common/smooth_plants.rs"]
 mod smooth_plants;
 
+mod adaptive;
+mod backstepping;
 mod clelc;
 mod decoupling;
 mod feedback_linearization;
 mod gains;
 mod learning_mode;
 mod limited;
+mod lqr;
 mod measurement;
 mod paper;
+mod pid;
 mod reference;
 mod snapshot;
+mod state_feedback;
 mod supervised;
 mod support;
 mod unicycle;

@@ -3,7 +3,8 @@
 use brunovsky::{
     channel::RateLimit,
     controller::{
-        Clelc, Controller, Decoupling, Limited, Mode, Reference, Supervised,
+        AntiWindup, Backstepping, Clelc, Controller, Decoupling, Limited, Mode,
+        ModelReferenceAdaptive, Pid, PidGains, Reference, StateRegressor, Supervised,
         unicycle::{Direction, Standstill, UnicycleController},
     },
     fuzzy::FuzzyNetwork,
@@ -127,6 +128,16 @@ fn a_controller_with_limits_or_an_operator() {
     on_the_chain(supervised, true);
     supervised.select(Mode::Automatic(LearningMode::Active));
     on_the_chain(supervised, true);
+}
+
+#[test]
+fn the_classical_controllers() {
+    on_the_chain(Backstepping::new(Chain::new(), [1.0, 2.0]).unwrap(), false);
+    let gains = PidGains::parallel(4.0, 2.0, 3.0, 0.1).unwrap();
+    on_the_chain(Pid::new(gains, AntiWindup::None).unwrap(), true);
+    let base = flc(Chain::new(), 2.0);
+    let adaptive = ModelReferenceAdaptive::new(base, StateRegressor, 5.0, [1.0, 1.0]).unwrap();
+    on_the_chain(adaptive, true);
 }
 
 #[test]

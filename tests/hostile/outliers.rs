@@ -4,7 +4,8 @@ use core::fmt::Debug;
 
 use brunovsky::{
     controller::{
-        Clelc, Controller, Decoupling, FeedbackLinearization, Gains, Measurement, Reference,
+        AntiWindup, Clelc, Controller, Decoupling, FeedbackLinearization, Gains, Measurement,
+        ModelReferenceAdaptive, Pid, PidGains, Reference, StateRegressor,
         unicycle::{Direction, Standstill, UnicycleController},
     },
     fuzzy::FuzzyNetwork,
@@ -111,6 +112,55 @@ fn of_the_unicycle<T: Float, E: ErrorRate<T, 2> + Clone>(source: E) {
     let axes = [axis.clone(), axis];
     let hold = Standstill::Hold;
     of_several_chains(&UnicycleController::new(axes, Direction::Forward, num(0.05), hold).unwrap());
+}
+
+fn of_a_second_order<T: Float, C>(fresh: &C)
+where
+    C: Controller<2, 1, Scalar = T, Reference = Reference<T, 2>, Command: Debug> + Clone,
+{
+    for (dt, reported) in PERIODS.into_iter().flat_map(|dt| [(dt, false), (dt, true)]) {
+        answers_after_an_outlier(fresh, |controller, numbers: [T; 6]| {
+            let [x1, x2, u, r1, r2, r3] = numbers;
+            let mut measurement = Measurement::new([x1, x2]);
+            if reported {
+                measurement = measurement.with_applied([u]);
+            }
+            controller.update(&measurement, &Reference::new([r1, r2], r3), num(dt))
+        });
+    }
+}
+
+fn of_the_pid<T: Float>() {
+    let gains = PidGains::parallel(num::<T>(3.0), num(2.0), num(0.5), num(0.02)).unwrap();
+    for anti_windup in [
+        AntiWindup::None,
+        AntiWindup::BackCalculation { tracking_time: num(0.5) },
+        AntiWindup::Conditional { tolerance: num(0.1) },
+    ] {
+        of_a_second_order(&Pid::<T, 2>::new(gains, anti_windup).unwrap());
+    }
+}
+
+fn of_an_adaptive<T: Float>() {
+    let model = VanDerPol::new(num::<T>(0.5)).unwrap();
+    let base = FeedbackLinearization::new(model, Gains::from_lambda(num(2.0)).unwrap());
+    let fresh =
+        ModelReferenceAdaptive::new(base, StateRegressor, num(5.0), [T::one(), T::one()]).unwrap();
+    of_a_second_order(&fresh);
+    let range = [num(0.2), num(5.0)];
+    of_a_second_order(&fresh.with_unknown_effectiveness(num(2.0), range).unwrap());
+}
+
+#[test]
+fn a_pid_controller_answers_after_an_outlier() {
+    of_the_pid::<f32>();
+    of_the_pid::<f64>();
+}
+
+#[test]
+fn an_adaptive_controller_answers_after_an_outlier() {
+    of_an_adaptive::<f32>();
+    of_an_adaptive::<f64>();
 }
 
 macro_rules! sources {

@@ -3,6 +3,7 @@
 //! | file | who is attacked |
 //! |---|---|
 //! | [`chain`] | feedback linearization and CLELC, with every source of ė_n and every rule |
+//! | [`classical`] | PID, linear-quadratic regulators, adaptive control, backstepping |
 //! | [`decoupling`] | the two-link arm |
 //! | [`unicycle`] | the unicycle's controller, and the feedforward and heading of a planar reference |
 //! | [`wrapped`] | `Limited` and `Supervised`, around a controller and around each other |
@@ -26,6 +27,7 @@
 
 pub mod chain;
 pub mod channel;
+pub mod classical;
 pub mod decoupling;
 pub mod differentiator;
 pub mod elementary;
