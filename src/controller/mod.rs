@@ -4,6 +4,7 @@
 //! |---|---|---|
 //! | [`FeedbackLinearization`] | u = b⁻¹·(−a + u_f + u_b) (eq_ndi_controllaw) | a model in chain form |
 //! | [`Clelc`] | u = b⁻¹·(−a + u_f + u_b + u_n) (eq_new_controllaw) | the same and a [compensator](crate::learning::Compensator) |
+//! | [`ActiveDisturbanceRejection`] | u = b₀⁻¹·(u_f + k·(r − z) − f̂), z and f̂ observed | x₁ and b₀, no model |
 //! | [`Decoupling`] | u = B⁻¹·(−a + ν), νᵢ from one [controller a chain](ChainControllers) | several chains |
 //! | [`Padded`] | any of them in a chain longer than its order | outputs of different relative degree |
 //! | [`UnicycleController`](unicycle::UnicycleController) | the same with v̇ = ξ (eq_transformation) | the unicycle robot |
@@ -24,6 +25,7 @@
 //!
 //! This module depends on [`plant`](crate::plant) for models and on [`learning`](crate::learning) for compensators.
 
+mod active_disturbance_rejection;
 mod chain_controllers;
 mod clelc;
 mod decoupling;
@@ -36,6 +38,9 @@ mod reference;
 mod supervised;
 pub mod unicycle;
 
+pub use active_disturbance_rejection::{
+    ActiveDisturbanceRejection, ActiveDisturbanceRejectionCommand,
+};
 pub use chain_controllers::{ChainControllers, Decided};
 pub use clelc::{Clelc, ClelcCommand};
 pub use decoupling::{Decoupling, DecouplingCommand};

@@ -8,6 +8,7 @@ mod precisions;
 #[path = "../common/smooth_plants.rs"]
 mod smooth_plants;
 
+mod active_disturbance_rejection;
 mod clelc;
 mod decoupling;
 mod feedback_linearization;
