@@ -4,7 +4,10 @@
 //! |---|---|---|
 //! | [`FeedbackLinearization`] | u = b⁻¹·(−a + u_f + u_b) (eq_ndi_controllaw) | a model in chain form |
 //! | [`Clelc`] | u = b⁻¹·(−a + u_f + u_b + u_n) (eq_new_controllaw) | the same and a [compensator](crate::learning::Compensator) |
+//! | [`SlidingModeControl`](sliding_mode::SlidingModeControl) | u = b⁻¹·(−a + u_f + u_b + k·sgn(σ)) | a model in chain form and a bound on \|Δ\| |
+//! | [`SuperTwisting`](sliding_mode::SuperTwisting) | u = b⁻¹·(−a + u_f + u_b + k₁·\|σ\|^½·sgn(σ) + k₂·∫sgn(σ) dt) | the same and a bound on \|Δ̇\| |
 //! | [`ActiveDisturbanceRejection`] | u = b₀⁻¹·(u_f + k·(r − z) − f̂), z and f̂ observed | x₁ and b₀, no model |
+//! | [`Compensated`] | u = u_base + b⁻¹·u_n | any of the above, a model and a compensator |
 //! | [`Decoupling`] | u = B⁻¹·(−a + ν), νᵢ from one [controller a chain](ChainControllers) | several chains |
 //! | [`Padded`] | any of them in a chain longer than its order | outputs of different relative degree |
 //! | [`UnicycleController`](unicycle::UnicycleController) | the same with v̇ = ξ (eq_transformation) | the unicycle robot |
@@ -28,6 +31,7 @@
 mod active_disturbance_rejection;
 mod chain_controllers;
 mod clelc;
+mod compensated;
 mod decoupling;
 mod feedback_linearization;
 mod gains;
@@ -35,6 +39,7 @@ mod limited;
 mod measurement;
 mod padded;
 mod reference;
+pub mod sliding_mode;
 mod supervised;
 pub mod unicycle;
 
@@ -43,6 +48,7 @@ pub use active_disturbance_rejection::{
 };
 pub use chain_controllers::{ChainControllers, Decided};
 pub use clelc::{Clelc, ClelcCommand};
+pub use compensated::{Compensated, CompensatedCommand};
 pub use decoupling::{Decoupling, DecouplingCommand};
 pub use feedback_linearization::{FeedbackLinearization, FeedbackLinearizationCommand};
 pub use gains::Gains;

@@ -10,6 +10,7 @@ mod smooth_plants;
 
 mod active_disturbance_rejection;
 mod clelc;
+mod compensated;
 mod decoupling;
 mod feedback_linearization;
 mod gains;
@@ -18,6 +19,7 @@ mod limited;
 mod measurement;
 mod paper;
 mod reference;
+mod sliding_mode;
 mod snapshot;
 mod supervised;
 mod support;
