@@ -3,7 +3,12 @@
 use brunovsky::{
     actuator::RateLimit,
     controller::{
-        Clelc, Controller, Decoupling, Limited, Mode, Reference, Supervised,
+        ActiveDisturbanceRejection, Clelc, Compensated, Controller, Decoupling, Gains, Limited,
+        Mode, Reference, Supervised,
+        sliding_mode::{
+            IntegralSlidingMode, SlidingModeControl, SlidingSurface, SuperTwisting,
+            SuperTwistingGains,
+        },
         unicycle::{Direction, Standstill, UnicycleController},
     },
     fuzzy::FuzzyNetwork,
@@ -127,6 +132,20 @@ fn a_controller_with_limits_or_an_operator() {
     on_the_chain(supervised, true);
     supervised.select(Mode::Automatic(LearningMode::Active));
     on_the_chain(supervised, true);
+}
+
+#[test]
+fn the_robust_controllers() {
+    let surface = SlidingSurface::from_lambda(2.0).unwrap();
+    on_the_chain(SlidingModeControl::new(Chain::new(), surface, 3.0).unwrap(), false);
+    let gains = SuperTwistingGains::for_rate(5.0).unwrap();
+    let twisting = SuperTwisting::new(Chain::new(), surface, gains);
+    on_the_chain(twisting, true);
+    let integral = IntegralSlidingMode::new(3.0).unwrap();
+    on_the_chain(clelc(integral), true);
+    on_the_chain(Compensated::new(twisting, Chain::new(), integral), true);
+    let gains = Gains::from_lambda(2.0).unwrap();
+    on_the_chain(ActiveDisturbanceRejection::new(gains, 10.0, 1.0).unwrap(), true);
 }
 
 #[test]

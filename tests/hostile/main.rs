@@ -45,5 +45,5 @@ macro_rules! withstand {
 }
 
 withstand! {
-    actuator, chain, decoupling, elementary, gains, network, simulation, trajectory, unicycle, watch, wrapped,
+    actuator, chain, decoupling, elementary, gains, network, simulation, sliding, trajectory, unicycle, watch, wrapped,
 }
