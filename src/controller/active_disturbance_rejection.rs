@@ -9,29 +9,31 @@ use crate::{
 
 /// Linear active disturbance rejection control: u = b₀⁻¹·(u_f + u_b − f̂) with u_f = ṙ_n, u_b = k·(r − z), z and f̂ from an extended state observer.
 ///
-/// For a plant y⁽ᴺ⁾ = f(t, …) + b₀·u of which the order and b₀ are known, and nothing else: all the rest is f, the total disturbance. The observer has all
-/// N + 1 poles at −ω_o and sees y = x₁ alone,
+/// For a plant y⁽ᴺ⁾ = f(t, …) + b₀·u of which the order and b₀ are known, and nothing else: all the rest is f, the total disturbance. The
+/// observer has all N + 1 poles at −ω_o and sees y = x₁ alone,
 ///
 /// ż_i = z_{i+1} + β_i·(y − z₁), ż_N = f̂ + b₀·u + β_N·(y − z₁), d/dt f̂ = β_{N+1}·(y − z₁), β_i = C(N+1, i)·ω_oⁱ,
 ///
-/// and the loop becomes ė_n + k·e = k·(z − x) + f̂ − f. With [`Gains::from_lambda`] of ω_c the two bandwidths are all there is to tune: ω_o three to ten
-/// times ω_c, as the noise of y allows.
+/// and the loop becomes ė_n + k·e = k·(z − x) + f̂ − f. With [`Gains::from_lambda`] of ω_c the two bandwidths are all there is to tune: ω_o three
+/// to ten times ω_c, as the noise of y allows.
 ///
 /// # In samples
-/// A current estimator: over the period z moves as the chain does under the held f̂ + b₀·u, which is exact, and the sample corrects it by gains that put all
-/// poles at q = e^(−ω_o·dt). Stable at every dt, a different one at every sample too if N = 1. At the first sample z = (y, 0, …), f̂ = 0.
+/// A current estimator: over the period z moves as the chain does under the held f̂ + b₀·u, which is exact, and the sample corrects it by gains
+/// that put all poles at q = e^(−ω_o·dt). Stable at every dt, a different one at every sample too if N = 1. At the first sample z = (y, 0, …), f̂
+/// = 0.
 ///
-/// The observer is fed with the input that arrived, if that is reported: a saturated actuator is no disturbance, and there is no other integral that could
-/// wind up.
+/// The observer is fed with the input that arrived, if that is reported: a saturated actuator is no disturbance, and there is no other integral
+/// that could wind up.
 ///
 /// Assumes that the sign of b₀ is that of b. What b differs from b₀ is in f as (b − b₀)·u. Of the state only x₁ is used; the other entries have to be
 /// finite, zeros will do.
 ///
 /// # References
 /// J. Han, "From PID to active disturbance rejection control", IEEE Transactions on Industrial Electronics 56(3), 2009. Z. Gao, "Scaling and
-/// bandwidth-parameterization based controller tuning", American Control Conference, 2003. R. Miklosovic, A. Radke, Z. Gao, "Discrete implementation and
-/// generalization of the extended state observer", American Control Conference, 2006. Q. Zheng, L. Gao, Z. Gao, "On stability analysis of active disturbance
-/// rejection control for nonlinear time-varying plants with unknown dynamics", Conference on Decision and Control, 2007.
+/// bandwidth-parameterization based controller tuning", American Control Conference, 2003. R. Miklosovic, A. Radke, Z. Gao, "Discrete
+/// implementation and generalization of the extended state observer", American Control Conference, 2006. Q. Zheng, L. Gao, Z. Gao, "On stability
+/// analysis of active disturbance rejection control for nonlinear time-varying plants with unknown dynamics", Conference on Decision and Control,
+/// 2007.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ActiveDisturbanceRejection<T, const N: usize> {
     gains: Gains<T, N>,
@@ -198,8 +200,8 @@ impl<T: Scalar, const N: usize> Controller<N, 1> for ActiveDisturbanceRejection<
     type Command = ActiveDisturbanceRejectionCommand<T, N>;
 
     /// # Errors
-    /// [`Error::NotPositive`] for `dt`; [`Error::NonFinite`] and [`Error::NonFiniteEntry`] for the measurement, the reference, the estimates and u, also
-    /// where they are too large to be remembered.
+    /// [`Error::NotPositive`] for `dt`; [`Error::NonFinite`] and [`Error::NonFiniteEntry`] for the measurement, the reference, the estimates and
+    /// u, also where they are too large to be remembered.
     fn update_if(
         &mut self,
         measurement: &Measurement<T, N, 1>,

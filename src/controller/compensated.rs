@@ -17,18 +17,18 @@ use crate::{
 ///
 /// s = ė_n + u_b = −(u_n + Δ)
 ///
-/// as in [`Clelc`](super::Clelc): a PID, LQR or sliding-mode controller learns from the same s, with the same certificates. Once s = 0 the loop is that of the base
-/// on the plant that the model describes. Around feedback linearization it is `Clelc`, to rounding.
+/// as in [`Clelc`](super::Clelc): a PID, LQR or sliding-mode controller learns from the same s, with the same certificates. Once s = 0 the loop
+/// is that of the base on the plant that the model describes. Around feedback linearization it is `Clelc`, to rounding.
 ///
 /// * The model may be rough, as long as b has the right sign and size: what it lacks is Δ, and learned. The base need not know it.
 /// * Where u_n = 0, in [`LearningMode::Off`] say, the input is that of the base, bit for bit, and b(x) = 0 does no harm.
 /// * A base that integrates the error learns a steady Δ too, only slower; what u_n has taken over, its integral gives back.
 ///
 /// # What the base is told
-/// An applied input is reported to it less the share of u_n: u_base + (u_arrived − u). As long as all arrives, that is just what it asked for, to the last bit, so
-/// its anti-windup does not take u_n for an actuator that disobeys. Of a saturated actuator it sees what u_n left for it, and winds back by all that is
-/// missing; the compensator sees the whole input. ẋ is passed on as measured: with its own share of the input the base sees u_n + Δ as the
-/// uncertainty, which is what is left for it to do.
+/// An applied input is reported to it less the share of u_n: u_base + (u_arrived − u). As long as all arrives, that is just what it asked for, to
+/// the last bit, so its anti-windup does not take u_n for an actuator that disobeys. Of a saturated actuator it sees what u_n left for it, and
+/// winds back by all that is missing; the compensator sees the whole input. ẋ is passed on as measured: with its own share of the input the base
+/// sees u_n + Δ as the uncertainty, which is what is left for it to do.
 ///
 /// Assumes b(x) ≠ 0 where there is something learned.
 ///
@@ -133,8 +133,8 @@ where
     type Command = CompensatedCommand<C::Command, P::Scalar>;
 
     /// # Errors
-    /// Those of the base and of the compensator; [`Error::NonFinite`] for a(x), b(x), u_b and u; [`Error::Singular`] where b(x) is zero or so small that u_n
-    /// has no finite input.
+    /// Those of the base and of the compensator; [`Error::NonFinite`] for a(x), b(x), u_b and u; [`Error::Singular`] where b(x) is zero or so
+    /// small that u_n has no finite input.
     fn update_if(
         &mut self,
         measurement: &Measurement<P::Scalar, N, 1>,

@@ -16,16 +16,16 @@ use crate::{
 /// * [`Compensated::new(base, model, …)`](crate::controller::Compensated::new): it is any controller.
 ///
 /// # In samples
-/// σ(k) = σ(k−1) + h·s(k), s from an [`ErrorRate`]. The default, [`ModelAided`], makes h·s what the model leaves of the change of x_n over the period that ends
-/// there: no derivative is taken, σ is the integral of the law, and an input that did not arrive is not in it. Then σ(k+1) = σ(k) − h·(u_n + Δ),
-/// and the set-valued sign, clamp(σ/(k·h), −1, 1), leaves σ = −h·Δ and u_n the −Δ of the period before, whatever k is.
+/// σ(k) = σ(k−1) + h·s(k), s from an [`ErrorRate`]. The default, [`ModelAided`], makes h·s what the model leaves of the change of x_n over the
+/// period that ends there: no derivative is taken, σ is the integral of the law, and an input that did not arrive is not in it. Then σ(k+1) =
+/// σ(k) − h·(u_n + Δ), and the set-valued sign, clamp(σ/(k·h), −1, 1), leaves σ = −h·Δ and u_n the −Δ of the period before, whatever k is.
 ///
 /// In [`LearningMode::Frozen`] u_n and σ stay as they are. In `Off` σ is 0: the nominal trajectory begins where the mode is thawed.
 ///
 /// # References
-/// V. Utkin, J. Shi, "Integral sliding mode in systems operating under uncertainty conditions", Conference on Decision and Control, 1996. The projection is
-/// that on ẋ_n, which takes nothing but the matched Δ: F. Castaños, L. Fridman, "Analysis and design of integral sliding manifolds for systems with
-/// unmatched perturbations", IEEE Transactions on Automatic Control 51(5), 2006.
+/// V. Utkin, J. Shi, "Integral sliding mode in systems operating under uncertainty conditions", Conference on Decision and Control, 1996. The
+/// projection is that on ẋ_n, which takes nothing but the matched Δ: F. Castaños, L. Fridman, "Analysis and design of integral sliding manifolds
+/// for systems with unmatched perturbations", IEEE Transactions on Automatic Control 51(5), 2006.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct IntegralSlidingMode<T, E = ModelAided<T>> {
     k: T,

@@ -19,27 +19,29 @@ use crate::{
 /// [gains](SuperTwistingGains) that fit, σ and σ̇ are zero after a finite time, and then w = −Δ.
 ///
 /// # In samples
-/// With the period h, σ(k+1) = σ(k) − h·(u_s + w + Δ): exactly for N = 1 and Δ the mean over the period; beyond, what u_b moves meanwhile counts as Δ.
+/// With the period h, σ(k+1) = σ(k) − h·(u_s + w + Δ): exactly for N = 1 and Δ the mean over the period; beyond, what u_b moves meanwhile counts
+/// as Δ.
 ///
-/// * [`Implicit`](Stepping::Implicit), the default: backward Euler of the loop above in (ξ, z), where ξ = σ + h·(w + Δ) of the period before is what σ would be
-///   without z. In its equation ξ − h·(w + Δ) is the σ that is measured, so it has a closed form:
-///   ξ⁺ + h·k₁·|ξ⁺|^½·ς + h²·k₂·ς = σ, ς ∈ sgn(ξ⁺); w⁺ = w + h·k₂·ς; u_s = (σ − ξ⁺)/h. Where |σ| ≤ h²·k₂, ξ⁺ = 0 and u_s = σ/h:
-///   the gains do not appear, nothing chatters, and σ(k+1) = −h·(Δ(k) − Δ(k−1)). That is at most h²·L, and without knowing Δ(k) there is no less.
+/// * [`Implicit`](Stepping::Implicit), the default: backward Euler of the loop above in (ξ, z), where ξ = σ + h·(w + Δ) of the period before is
+///   what σ would be without z. In its equation ξ − h·(w + Δ) is the σ that is measured, so it has a closed form:
+///   ξ⁺ + h·k₁·|ξ⁺|^½·ς + h²·k₂·ς = σ with ς ∈ sgn(ξ⁺), w⁺ = w + h·k₂·ς, u_s = (σ − ξ⁺)/h.
+///   Where |σ| ≤ h²·k₂, ξ⁺ = 0 and u_s = σ/h: the gains do not appear, nothing chatters, and σ(k+1) = −h·(Δ(k) − Δ(k−1)). That is at most
+///   h²·L, and without knowing Δ(k) there is no less.
 /// * [`Explicit`](Stepping::Explicit): forward Euler, for comparison. It chatters at the order of h², the more the greater the gains are.
 ///
 /// # Saturated actuators
-/// What did not arrive is no Δ to be integrated. Where another input is reported as applied than was asked for, w becomes what it would be had σ been the one
-/// that asks for this input (conditioning): ẇ = k₂·sgn(v − w), where v is u_s + w less what did not arrive. So w never goes further than what the
-/// actuator can do, and does not wind up.
+/// What did not arrive is no Δ to be integrated. Where another input is reported as applied than was asked for, w becomes what it would be had σ
+/// been the one that asks for this input (conditioning): ẇ = k₂·sgn(v − w), where v is u_s + w less what did not arrive. So w never goes further
+/// than what the actuator can do, and does not wind up.
 ///
 /// Assumes b(x) ≠ 0 and a reference that is N times differentiable. A Δ that jumps is caught again in finite time.
 ///
 /// # References
-/// A. Levant, "Sliding order and sliding accuracy in sliding mode control", International Journal of Control 58(6), 1993. Implicit steps: B. Brogliato,
-/// A. Polyakov, D. Efimov, "The implicit discretization of the super-twisting sliding-mode control algorithm", IEEE Transactions on Automatic Control 65(8),
-/// 2020, of (σ, w), which leaves σ = −h·Δ; with a modified sliding variable as here, R. Seeber, B. Andritsch, "Proper implicit discretization of the super-twisting
-/// controller—without and with actuator saturation", Automatica 173, 2025. Conditioning: R. Seeber, M. Reichhartinger, "Conditioned super-twisting
-/// algorithm for systems with saturated control action", Automatica 116, 2020.
+/// A. Levant, "Sliding order and sliding accuracy in sliding mode control", International Journal of Control 58(6), 1993. Implicit steps: B.
+/// Brogliato, A. Polyakov, D. Efimov, "The implicit discretization of the super-twisting sliding-mode control algorithm", IEEE Transactions on
+/// Automatic Control 65(8), 2020, of (σ, w), which leaves σ = −h·Δ; with a modified sliding variable as here, R. Seeber, B. Andritsch, "Proper
+/// implicit discretization of the super-twisting controller—without and with actuator saturation", Automatica 173, 2025. Conditioning: R. Seeber,
+/// M. Reichhartinger, "Conditioned super-twisting algorithm for systems with saturated control action", Automatica 116, 2020.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SuperTwisting<P: FeedbackLinearizable<N>, const N: usize> {
     model: P,

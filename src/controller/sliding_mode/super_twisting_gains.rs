@@ -16,9 +16,9 @@ use crate::{
 /// Levant's gains are of the second kind and not of the third.
 ///
 /// # References
-/// A. Levant, "Robust exact differentiation via sliding mode technique", Automatica 34(3), 1998. J. Moreno, M. Osorio, "Strict Lyapunov functions for the
-/// super-twisting algorithm", IEEE Transactions on Automatic Control 57(4), 2012. R. Seeber, M. Horn, "Stability proof for a well-established
-/// super-twisting parameter setting", Automatica 84, 2017.
+/// A. Levant, "Robust exact differentiation via sliding mode technique", Automatica 34(3), 1998. J. Moreno, M. Osorio, "Strict Lyapunov functions
+/// for the super-twisting algorithm", IEEE Transactions on Automatic Control 57(4), 2012. R. Seeber, M. Horn, "Stability proof for a
+/// well-established super-twisting parameter setting", Automatica 84, 2017.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SuperTwistingGains<T> {
     k1: T,
@@ -74,8 +74,9 @@ impl<T: Scalar> SuperTwistingGains<T> {
     /// `None` unless k₂ > L + 2·L²/k₁².
     ///
     /// V = ζᵀPζ of ζ = (|σ|^½·sgn(σ), z) with P = ½·\[4k₂ + k₁², −k₁; −k₁, 2\] obeys V̇ = −|σ|^−½·ζᵀQζ, where −Δ̇ = ρ·sgn(σ) makes
-    /// Q = \[k₁·(k₂ + k₁²/2 + ρ), −k₁²/2 − ρ; −k₁²/2 − ρ, k₁/2\]. P⁻¹Q has the trace k₁ and the determinant p·(½·k₁²·(k₂ − ρ) − ρ²), p = (P⁻¹)₁₁ = 4/(8k₂ + k₁²);
-    /// its lesser eigenvalue is least, μ, for ρ = L. As |σ| ≤ p·V, that leaves V̇ ≤ −μ·(V/p)^½, so V is zero after 2·(p·V(0))^½/μ.
+    /// Q = \[k₁·(k₂ + k₁²/2 + ρ), −k₁²/2 − ρ; −k₁²/2 − ρ, k₁/2\]. With p = (P⁻¹)₁₁ = 4/(8k₂ + k₁²), P⁻¹Q has the trace k₁ and the determinant
+    /// p·(½·k₁²·(k₂ − ρ) − ρ²); its lesser eigenvalue is least, μ, for ρ = L. As |σ| ≤ p·V, that leaves V̇ ≤ −μ·(V/p)^½, so V is zero after
+    /// 2·(p·V(0))^½/μ.
     ///
     /// # Errors
     /// [`Error::Negative`] for the bound; [`Error::NonFinite`] for a parameter, or a time beyond the range of `T`.
