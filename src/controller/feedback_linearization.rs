@@ -62,24 +62,38 @@ impl<P: FeedbackLinearizable<N>, const N: usize> FeedbackLinearization<P, N> {
         last: P::Scalar,
         learning: LearningMode,
     ) -> Result<ClosedLoop<P::Scalar, N>, Error> {
-        positive("dt", dt)?;
-        measurement.validate()?;
-        reference.validate()?;
-        let x = measurement.x;
-        let e = reference.r - x;
-        Ok(ClosedLoop {
-            x,
-            e,
-            u_f: reference.r_n_dot,
-            u_b: finite("u_b", self.gains.feedback(&e))?,
-            drift: finite("a(x)", self.model.drift(&x))?,
-            gain: finite("b(x)", self.model.input_gain(&x))?,
-            u: measurement.applied.map_or(last, |applied| applied[0]),
-            asked: last,
-            rate: measurement.x_dot.map(|x_dot| x_dot[N - 1]),
-            learning,
-        })
+        let feedback = |e: &_| self.gains.feedback(e);
+        closed_loop(&self.model, feedback, measurement, reference, dt, last, learning)
     }
+}
+
+/// The parts of a law with u_b = `feedback`(e) at one sample, checked.
+pub(super) fn closed_loop<P: FeedbackLinearizable<N>, const N: usize>(
+    model: &P,
+    feedback: impl FnOnce(&SVector<P::Scalar, N>) -> P::Scalar,
+    measurement: &Measurement<P::Scalar, N, 1>,
+    reference: &Reference<P::Scalar, N>,
+    dt: P::Scalar,
+    last: P::Scalar,
+    learning: LearningMode,
+) -> Result<ClosedLoop<P::Scalar, N>, Error> {
+    positive("dt", dt)?;
+    measurement.validate()?;
+    reference.validate()?;
+    let x = measurement.x;
+    let e = reference.r - x;
+    Ok(ClosedLoop {
+        x,
+        e,
+        u_f: reference.r_n_dot,
+        u_b: finite("u_b", feedback(&e))?,
+        drift: finite("a(x)", model.drift(&x))?,
+        gain: finite("b(x)", model.input_gain(&x))?,
+        u: measurement.applied.map_or(last, |applied| applied[0]),
+        asked: last,
+        rate: measurement.x_dot.map(|x_dot| x_dot[N - 1]),
+        learning,
+    })
 }
 
 /// u = b⁻¹·(−a + ν): the input for which the model's ẋ_n is ν.

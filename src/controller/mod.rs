@@ -6,12 +6,16 @@
 //! | [`Clelc`] | u = b⁻¹·(−a + u_f + u_b + u_n) (eq_new_controllaw) | the same and a [compensator](crate::learning::Compensator) |
 //! | [`Backstepping`] | the same with k·e from cᵢ > 0, and its Lyapunov function | a model in chain form |
 //! | [`ModelReferenceAdaptive`] | u = b⁻¹·(−a + u_f + u_b + u_a), u_a learned from a reference model | a model in chain form, and φ(x) |
+//! | [`SlidingModeControl`](sliding_mode::SlidingModeControl) | u = b⁻¹·(−a + u_f + u_b + k·sgn(σ)) | a model in chain form and a bound on \|Δ\| |
+//! | [`SuperTwisting`](sliding_mode::SuperTwisting) | u = b⁻¹·(−a + u_f + u_b + k₁·\|σ\|^½·sgn(σ) + k₂·∫sgn(σ) dt) | the same and a bound on \|Δ̇\| |
+//! | [`ActiveDisturbanceRejection`] | u = b₀⁻¹·(u_f + k·(r − z) − f̂), z and f̂ observed | x₁ and b₀, no model |
+//! | [`Pid`] | u = K·(b·r − y) + I + D with anti-windup, bumpless | the output alone, no model |
+//! | [`StateFeedback`] | u = u₀ + K·(r − x), K from an [LQR](lqr) or given | a linearization at an operating point |
+//! | [`Compensated`] | u = u_base + b⁻¹·u_n | any of the above, a model and a compensator |
 //! | [`Decoupling`] | u = B⁻¹·(−a + ν), νᵢ from one [controller a chain](ChainControllers) | several chains |
 //! | [`Padded`] | any of them in a chain longer than its order | outputs of different relative degree |
 //! | [`UnicycleController`](unicycle::UnicycleController) | the same with v̇ = ξ (eq_transformation) | the unicycle robot |
 //! | [`Limited`] | any of them with an [actuator](crate::channel) behind it, told what arrived | any plant |
-//! | [`Pid`] | u = K·(b·r − y) + I + D with anti-windup, bumpless | the output alone, no model |
-//! | [`StateFeedback`] | u = u₀ + K·(r − x), K from an [LQR](lqr) or given | a linearization at an operating point |
 //! | [`Supervised`] | any of them and an operator, who takes over and hands back without a bump | any plant |
 //!
 //! # Conventions
@@ -28,10 +32,12 @@
 //!
 //! This module depends on [`plant`](crate::plant) for models and on [`learning`](crate::learning) for compensators.
 
+mod active_disturbance_rejection;
 mod adaptive;
 mod backstepping;
 mod chain_controllers;
 mod clelc;
+mod compensated;
 mod decoupling;
 mod feedback_linearization;
 mod gains;
@@ -41,10 +47,14 @@ mod measurement;
 mod padded;
 mod pid;
 mod reference;
+pub mod sliding_mode;
 mod state_feedback;
 mod supervised;
 pub mod unicycle;
 
+pub use active_disturbance_rejection::{
+    ActiveDisturbanceRejection, ActiveDisturbanceRejectionCommand,
+};
 pub use adaptive::{
     Leakage, ModelReferenceAdaptive, ModelReferenceAdaptiveCommand, Projection, Regressor,
     StateRegressor,
@@ -52,6 +62,7 @@ pub use adaptive::{
 pub use backstepping::{Backstepping, BacksteppingCommand};
 pub use chain_controllers::{ChainControllers, Decided};
 pub use clelc::{Clelc, ClelcCommand};
+pub use compensated::{Compensated, CompensatedCommand};
 pub use decoupling::{Decoupling, DecouplingCommand};
 pub use feedback_linearization::{FeedbackLinearization, FeedbackLinearizationCommand};
 pub use gains::Gains;

@@ -65,7 +65,7 @@ impl<T: Scalar> Switching<T> {
         }
     }
 
-    pub(super) fn validated(self) -> Result<Self, Error> {
+    pub(crate) fn validated(self) -> Result<Self, Error> {
         match self {
             Switching::Explicit { delta } => positive("delta", delta).map(|_| self),
             Switching::Implicit { delta } => not_negative("delta", delta).map(|_| self),

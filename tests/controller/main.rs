@@ -8,9 +8,11 @@ mod precisions;
 #[path = "../common/smooth_plants.rs"]
 mod smooth_plants;
 
+mod active_disturbance_rejection;
 mod adaptive;
 mod backstepping;
 mod clelc;
+mod compensated;
 mod decoupling;
 mod feedback_linearization;
 mod gains;
@@ -21,6 +23,7 @@ mod measurement;
 mod paper;
 mod pid;
 mod reference;
+mod sliding_mode;
 mod snapshot;
 mod state_feedback;
 mod supervised;

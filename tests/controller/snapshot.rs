@@ -3,8 +3,13 @@
 use brunovsky::{
     channel::RateLimit,
     controller::{
-        AntiWindup, Backstepping, Clelc, Controller, Decoupling, Limited, Mode,
-        ModelReferenceAdaptive, Pid, PidGains, Reference, StateRegressor, Supervised,
+        ActiveDisturbanceRejection, AntiWindup, Backstepping, Clelc, Compensated, Controller,
+        Decoupling, Gains, Limited, Mode, ModelReferenceAdaptive, Pid, PidGains, Reference,
+        StateRegressor, Supervised,
+        sliding_mode::{
+            IntegralSlidingMode, SlidingModeControl, SlidingSurface, SuperTwisting,
+            SuperTwistingGains,
+        },
         unicycle::{Direction, Standstill, UnicycleController},
     },
     fuzzy::FuzzyNetwork,
@@ -138,6 +143,20 @@ fn the_classical_controllers() {
     let base = flc(Chain::new(), 2.0);
     let adaptive = ModelReferenceAdaptive::new(base, StateRegressor, 5.0, [1.0, 1.0]).unwrap();
     on_the_chain(adaptive, true);
+}
+
+#[test]
+fn the_robust_controllers() {
+    let surface = SlidingSurface::from_lambda(2.0).unwrap();
+    on_the_chain(SlidingModeControl::new(Chain::new(), surface, 3.0).unwrap(), false);
+    let gains = SuperTwistingGains::for_rate(5.0).unwrap();
+    let twisting = SuperTwisting::new(Chain::new(), surface, gains);
+    on_the_chain(twisting, true);
+    let integral = IntegralSlidingMode::new(3.0).unwrap();
+    on_the_chain(clelc(integral), true);
+    on_the_chain(Compensated::new(twisting, Chain::new(), integral), true);
+    let gains = Gains::from_lambda(2.0).unwrap();
+    on_the_chain(ActiveDisturbanceRejection::new(gains, 10.0, 1.0).unwrap(), true);
 }
 
 #[test]

@@ -4,6 +4,7 @@
 //! |---|---|
 //! | [`chain`] | feedback linearization and CLELC, with every source of ė_n and every rule |
 //! | [`classical`] | PID, linear-quadratic regulators, adaptive control, backstepping |
+//! | [`sliding`] | sliding modes, active disturbance rejection, and compensators on top of a controller |
 //! | [`decoupling`] | the two-link arm |
 //! | [`unicycle`] | the unicycle's controller, and the feedforward and heading of a planar reference |
 //! | [`wrapped`] | `Limited` and `Supervised`, around a controller and around each other |
@@ -34,6 +35,7 @@ pub mod elementary;
 pub mod gains;
 pub mod network;
 pub mod simulation;
+pub mod sliding;
 pub mod solver;
 pub mod trajectory;
 pub mod unicycle;

@@ -2,8 +2,10 @@
 
 use brunovsky::{
     controller::{
-        ClelcCommand, DecouplingCommand, FeedbackLinearizationCommand, LimitedCommand,
-        SupervisedCommand, unicycle::UnicycleCommand,
+        ActiveDisturbanceRejectionCommand, ClelcCommand, CompensatedCommand, DecouplingCommand,
+        FeedbackLinearizationCommand, LimitedCommand, SupervisedCommand,
+        sliding_mode::{SlidingModeCommand, SuperTwistingCommand},
+        unicycle::UnicycleCommand,
     },
     learning::{Verdict, Watch},
 };
@@ -79,6 +81,32 @@ impl<T: Float> Numbers for FeedbackLinearizationCommand<T> {
 impl<T: Float> Numbers for ClelcCommand<T> {
     fn each(&self, see: &mut impl FnMut(f64)) {
         [self.u, self.u_f, self.u_b, self.u_n, self.s].each(see);
+    }
+}
+
+impl<T: Float> Numbers for SlidingModeCommand<T> {
+    fn each(&self, see: &mut impl FnMut(f64)) {
+        [self.u, self.u_f, self.u_b, self.u_s, self.sigma].each(see);
+    }
+}
+
+impl<T: Float> Numbers for SuperTwistingCommand<T> {
+    fn each(&self, see: &mut impl FnMut(f64)) {
+        [self.u, self.u_f, self.u_b, self.u_s, self.w, self.sigma].each(see);
+    }
+}
+
+impl<T: Float, const N: usize> Numbers for ActiveDisturbanceRejectionCommand<T, N> {
+    fn each(&self, see: &mut impl FnMut(f64)) {
+        [self.u, self.u_f, self.u_b, self.f].each(see);
+        self.z.each(see);
+    }
+}
+
+impl<D: Numbers, T: Float> Numbers for CompensatedCommand<D, T> {
+    fn each(&self, see: &mut impl FnMut(f64)) {
+        [self.u, self.u_f, self.u_b, self.u_n, self.s].each(see);
+        self.base.each(see);
     }
 }
 
