@@ -15,6 +15,14 @@
 //! Rules and consequents are numbered with the **last input fastest**: rule r = k₁·Kᴵ⁻¹ + … + k_I for the memberships
 //! (k₁, …, k_I), all counted from 0.
 //!
+//! What others may ask of a network is said by traits:
+//!
+//! | trait | what it is | networks |
+//! |---|---|---|
+//! | [`Network`] | u_n = w̃ᵀf, w̃ ≥ 0 and Σ w̃ = 1: all that a rule of [`learning`](crate::learning) needs | [`FuzzyNetwork`] |
+//! | [`Over`] | how many inputs it has | all |
+//! | [`Travelling`] | its memberships can go along with the input, and flow | [`FuzzyNetwork`] |
+//!
 //! This module depends on nothing but [`Scalar`](crate::Scalar) and [`Error`](crate::Error); who trains the network is the business of
 //! [`learning`](crate::learning).
 
@@ -23,9 +31,11 @@ mod grades;
 mod grid;
 mod network;
 mod rules;
+mod traits;
 mod travel;
 
 pub use gaussian::Gaussian;
 pub use grid::{Grid, Inputs};
 pub use network::{Firing, FuzzyNetwork};
 pub use rules::Rules;
+pub use traits::{Network, Over, Strengths, Travelling};

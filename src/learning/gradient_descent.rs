@@ -1,9 +1,5 @@
 use super::AdaptationRule;
-use crate::{
-    Error, Scalar,
-    error::positive,
-    fuzzy::{Firing, FuzzyNetwork, Grid, Inputs},
-};
+use crate::{Error, Scalar, error::positive, fuzzy::Network};
 
 /// Gradient descent on ½·s² over the consequents: ḟ_r = η·s·w̃_r, by the explicit Euler method.
 ///
@@ -28,17 +24,8 @@ impl<T: Scalar> GradientDescent<T> {
     }
 }
 
-impl<T: Scalar, const I: usize, const K: usize> AdaptationRule<T, I, K> for GradientDescent<T>
-where
-    Inputs<I>: Grid,
-{
-    fn adapt(
-        &mut self,
-        network: &mut FuzzyNetwork<T, I, K>,
-        firing: &Firing<T, I, K>,
-        s: T,
-        dt: T,
-    ) {
+impl<T: Scalar, W: Network<Scalar = T>> AdaptationRule<W> for GradientDescent<T> {
+    fn adapt(&mut self, network: &mut W, firing: &W::Firing, s: T, dt: T) {
         network.move_consequents(firing, self.rate * s * dt);
     }
 }

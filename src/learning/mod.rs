@@ -12,7 +12,7 @@
 //! | [`ErrorRate`] | where ė_n comes from | [`Measured`], [`ModelAided`], any [`Differentiator`](crate::differentiator::Differentiator) of e_n, [`OfState`]; [`Conditional`] around any, [`Redundant`] around two |
 //! | [`AdaptationRule`] | how the network moves | [`SlidingMode`], [`GradientDescent`], [`NullRule`]; [`Bounded`] around any |
 //! | [`Switching`] | how sgn(s) is discretized | `Explicit`, `Implicit`, `SetValued` |
-//! | [`Antecedents`] | whether the memberships move | `Fixed`, `Flow` |
+//! | [`Antecedents`] | whether the memberships move | [`Fixed`], [`Flow`] |
 //! | [`Compensator`] | all of it together: e, u_b, … ↦ u_n | [`NeuroFuzzy`], [`NullCompensator`]; [`Guarded`] around any |
 //! | [`LearningMode`] | whether u_n is learned, and whether it is used | `Off`, `Frozen`, `Active` |
 //! | [`Certificate`] | what theory promises | |
@@ -42,7 +42,7 @@ mod watchdog;
 
 pub use crate::differentiator::{BackwardDifference, FilteredDifference};
 pub use advisor::{Advisor, Recommendation};
-pub use antecedents::Antecedents;
+pub use antecedents::{Antecedents, Fixed, Flow};
 pub use bounded::Bounded;
 pub use certificate::Certificate;
 pub use closed_loop::ClosedLoop;

@@ -7,7 +7,7 @@ use brunovsky::{
     Error,
     actuator::{RateLimit, Saturation},
     controller::unicycle::{Direction, Standstill, UnicycleController},
-    learning::{Bounded, Conditional, Redundant},
+    learning::{Bounded, Conditional, Fixed, Redundant},
     plant::{IntegratorChain, Link, TwoLinkArm},
     prelude::*,
 };
@@ -37,7 +37,7 @@ fn every() -> Result<(), Error> {
 fn rules(noise: &mut Noise) -> Result<(), Error> {
     let difference = BackwardDifference::new();
     let sliding = SlidingMode::new(5.0)?;
-    let fixed = sliding.with_antecedents(Antecedents::Fixed)?;
+    let fixed = sliding.with_antecedents(Fixed);
     let gradient = GradientDescent::new(5.0)?;
     stand(chain::<_, _, 1, 3>(difference, sliding)?, noise);
     stand(chain::<_, _, 2, 3>(difference, sliding)?, noise);

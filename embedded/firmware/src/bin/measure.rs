@@ -3,7 +3,7 @@
 #![no_std]
 #![no_main]
 
-use brunovsky::{Error, prelude::*};
+use brunovsky::{Error, learning::Fixed, prelude::*};
 use cortex_m_rt::entry;
 use firmware::{
     exit,
@@ -51,8 +51,8 @@ fn layered() -> Result<SlidingMode<Real>, Error> {
     set_valued()?.with_switching(Switching::Implicit { delta: 2.0 })
 }
 
-fn fixed() -> Result<SlidingMode<Real>, Error> {
-    set_valued()?.with_antecedents(Antecedents::Fixed)
+fn fixed() -> Result<SlidingMode<Real, Fixed>, Error> {
+    Ok(set_valued()?.with_antecedents(Fixed))
 }
 
 const fn same(a: &str, b: &str) -> bool {
