@@ -35,7 +35,7 @@ mod traits;
 mod travel;
 
 pub use gaussian::Gaussian;
-pub use grid::{Grid, Inputs};
+pub use grid::{Grid, Inputs, PerRule};
 pub use network::{Firing, FuzzyNetwork};
 pub use rules::Rules;
 pub use traits::{Network, Over, Strengths, Travelling};

@@ -1,23 +1,28 @@
 use core::ops::{Deref, DerefMut};
 
-use super::{Grid, Inputs};
+use super::{Grid, Inputs, PerRule};
 use crate::Scalar;
 
 /// One value for each of the Kᴵ rules, in their order: a slice that is stored in place.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Rules<T: Scalar, const I: usize, const K: usize>(<Inputs<I> as Grid>::Cube<T, K>)
+pub struct Rules<V: PerRule, const I: usize, const K: usize>(<Inputs<I> as Grid>::Cube<V, K>)
 where
     Inputs<I>: Grid;
+
+impl<V: PerRule, const I: usize, const K: usize> Rules<V, I, K>
+where
+    Inputs<I>: Grid,
+{
+    /// `value` for every rule.
+    pub fn filled(value: V) -> Self {
+        Self(Inputs::<I>::filled(value))
+    }
+}
 
 impl<T: Scalar, const I: usize, const K: usize> Rules<T, I, K>
 where
     Inputs<I>: Grid,
 {
-    /// `value` for every rule.
-    pub(super) fn filled(value: T) -> Self {
-        Self(Inputs::<I>::filled(value))
-    }
-
     /// Their mean, weighted with the outer product of `grades`.
     pub(super) fn mean(&self, grades: &[[T; K]; I]) -> T {
         Inputs::<I>::contracted(&self.0, grades)
@@ -29,22 +34,22 @@ where
     }
 }
 
-impl<T: Scalar, const I: usize, const K: usize> Deref for Rules<T, I, K>
+impl<V: PerRule, const I: usize, const K: usize> Deref for Rules<V, I, K>
 where
     Inputs<I>: Grid,
 {
-    type Target = [T];
+    type Target = [V];
 
-    fn deref(&self) -> &[T] {
+    fn deref(&self) -> &[V] {
         Inputs::<I>::values(&self.0)
     }
 }
 
-impl<T: Scalar, const I: usize, const K: usize> DerefMut for Rules<T, I, K>
+impl<V: PerRule, const I: usize, const K: usize> DerefMut for Rules<V, I, K>
 where
     Inputs<I>: Grid,
 {
-    fn deref_mut(&mut self) -> &mut [T] {
+    fn deref_mut(&mut self) -> &mut [V] {
         Inputs::<I>::values_mut(&mut self.0)
     }
 }

@@ -28,7 +28,7 @@ use crate::{
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SlidingMode<T, A = Flow<T>> {
-    alpha: T,
+    pub(super) alpha: T,
     switching: Switching<T>,
     antecedents: A,
 }

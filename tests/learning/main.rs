@@ -6,6 +6,7 @@ mod laws;
 #[path = "../common/numbers.rs"]
 mod numbers;
 
+mod adaptive_sliding_mode;
 mod advisor;
 mod antecedents;
 mod bounded;
@@ -16,6 +17,7 @@ mod gradient_descent;
 mod guarded;
 mod monitor;
 mod neuro_fuzzy;
+mod recursive_least_squares;
 mod rule;
 mod sliding_mode;
 mod support;
