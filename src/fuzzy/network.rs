@@ -30,7 +30,7 @@ where
 /// How strongly each rule fires at one input of a network: the normalized firing strengths w̃, which are not negative and sum to 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Firing<T: Scalar, const I: usize, const K: usize> {
-    grades: Grades<T, I, K>,
+    pub(super) grades: Grades<T, I, K>,
     norm_squared: T,
     /// Whether this is the firing of memberships at the input that they travel with.
     carried: bool,
@@ -52,7 +52,7 @@ where
         self.norm_squared
     }
 
-    fn of(grades: Grades<T, I, K>) -> Self {
+    pub(super) fn of(grades: Grades<T, I, K>) -> Self {
         Self { grades, norm_squared: grades.dot(&grades), carried: false }
     }
 }
@@ -114,17 +114,7 @@ where
     /// [`Error::Length`] unless there are Kᴵ of them, [`Error::NonFinite`] for one that is not finite, or if the output at the input that
     /// the memberships travel with is not; the network is then as before.
     pub fn set_consequents(&mut self, consequents: &[T]) -> Result<(), Error> {
-        let (expected, found) = (self.consequents.len(), consequents.len());
-        if expected != found {
-            return Err(Error::Length { name: "consequents", expected, found });
-        }
-        for consequent in consequents {
-            finite("consequent", *consequent)?;
-        }
-        let mut replaced = self.consequents;
-        for (own, new) in replaced.iter_mut().zip(consequents) {
-            *own = *new;
-        }
+        let replaced = Rules::consequents(consequents)?;
         if let Some(travel) = &mut self.travel {
             travel.start = finite("u_n", replaced.mean(travel.grades.rows()))?;
             travel.moved = T::zero();

@@ -1,7 +1,7 @@
 use core::ops::{Deref, DerefMut};
 
 use super::{Grid, Inputs, PerRule};
-use crate::Scalar;
+use crate::{Error, Scalar, error::finite};
 
 /// One value for each of the Kᴵ rules, in their order: a slice that is stored in place.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -23,6 +23,22 @@ impl<T: Scalar, const I: usize, const K: usize> Rules<T, I, K>
 where
     Inputs<I>: Grid,
 {
+    /// `values`, one a rule, which are to be consequents.
+    ///
+    /// # Errors
+    /// [`Error::Length`] unless there are Kᴵ of them, [`Error::NonFinite`] for one that is not finite.
+    pub(super) fn consequents(values: &[T]) -> Result<Self, Error> {
+        let mut rules = Self::filled(T::zero());
+        let (expected, found) = (rules.len(), values.len());
+        if expected != found {
+            return Err(Error::Length { name: "consequents", expected, found });
+        }
+        for (own, value) in rules.iter_mut().zip(values) {
+            *own = finite("consequent", *value)?;
+        }
+        Ok(rules)
+    }
+
     /// Their mean, weighted with the outer product of `grades`.
     pub(super) fn mean(&self, grades: &[[T; K]; I]) -> T {
         Inputs::<I>::contracted(&self.0, grades)
