@@ -13,6 +13,7 @@ mod bounded;
 mod certificate;
 mod compensator;
 mod error_rate;
+mod every;
 mod gradient_descent;
 mod guarded;
 mod monitor;

@@ -1,5 +1,5 @@
 use brunovsky::{
-    fuzzy::{Grid, Inputs},
+    fuzzy::{Grid, Inputs, Over},
     learning::{AdaptationRule, ErrorRate},
     plant::IntegratorChain,
     prelude::*,
@@ -27,6 +27,19 @@ where
     R: AdaptationRule<FuzzyNetwork<Real, N, K>> + Clone,
     Inputs<N>: Grid,
 {
-    let network = FuzzyNetwork::evenly_spaced([2.0; N])?;
+    trained(FuzzyNetwork::evenly_spaced([2.0; N])?, error_rate, rule)
+}
+
+/// CLELC of a chain of order N with `network`.
+pub fn trained<W, E, R, const N: usize>(
+    network: W,
+    error_rate: E,
+    rule: R,
+) -> Result<Clelc<IntegratorChain<Real, N>, NeuroFuzzy<W, E, R>, N>, Error>
+where
+    W: Over<Real, N>,
+    E: ErrorRate<Real, N> + Clone,
+    R: AdaptationRule<W> + Clone,
+{
     Ok(Clelc::new(feedback()?, NeuroFuzzy::new(network, error_rate, rule)))
 }
