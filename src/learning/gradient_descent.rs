@@ -13,7 +13,7 @@ use crate::{
 ///
 /// | with | step of a period h | what for | price |
 /// |---|---|---|---|
-/// | [`with_leakage`](Self::with_leakage), the σ-modification | f⁺ = (f + ηh·s·w̃)/(1 + σh) | noise and an Δ that no f fits make the f_r drift; with it they stay below η·max\|s\|/σ | s does not go to 0: it rests at −Δ/(1 + η·w̃ᵀw̃/σ) |
+/// | [`with_leakage`](Self::with_leakage), the σ-modification | f⁺ = (f + ηh·s·w̃)/(1 + σh) | noise and a Δ that no f fits make the f_r drift; with it they stay below η·max\|s\|/σ | s does not go to 0: it rests at −Δ/(1 + η·w̃ᵀw̃/σ) |
 /// | [`with_projection`](Self::with_projection) | the nearest to f⁺ with \|f_r\| ≤ F | \|u_n\| ≤ F at every e, not only where it was learned | what lies beyond F is left to the feedback |
 ///
 /// [`Bounded`](super::Bounded) limits u_n instead, at the input that there is. The leakage is a backward Euler step, stable for every σh.

@@ -15,6 +15,7 @@ in_both_precisions! {
     while_the_error_rests_it_is_the_weighted_mean_over_the_memory,
     a_step_leaves_the_stated_part_of_s,
     what_was_learned_elsewhere_is_kept_while_the_error_rests,
+    forgetting_does_not_pass_the_covariance_of_the_beginning,
     nothing_becomes_non_finite_in_a_million_samples,
     a_parameter_out_of_range_is_refused,
 }
@@ -174,6 +175,21 @@ fn what_was_learned_elsewhere_is_kept_while_the_error_rests<T: Scalar>() {
     assert_abs_diff_eq!(network.output(&here), T::one(), epsilon = ulps(64.0));
     // It has moved by what the grid itself carries over from here to there, w̃ᵀṽ/w̃ᵀw̃ < 0.1.
     assert!((network.output(&there) - known).abs() < real(0.1));
+}
+
+/// With λ = ½, w̃ᵀPw̃ would go to 1 − λ = ½ wherever e rests, and 9·p is 0.09.
+fn forgetting_does_not_pass_the_covariance_of_the_beginning<T: Scalar>() {
+    let mut rule = RecursiveLeastSquares::new(real::<T>(0.01)).unwrap();
+    rule = rule.with_memory(real(1e-3)).unwrap();
+    let (mut network, mut rng) = (network::<T>(), rng());
+    let most = real::<T>(0.09) * (T::one() + ulps(64.0));
+    for k in 0..2000 {
+        let e = if k < 1000 { [0.3, -0.4] } else { [0, 1].map(|_| rng.random_range(-3.0..3.0)) };
+        let firing = network.fire(&SVector::from(e.map(real)));
+        told(&mut rule, &mut network, &firing, T::one());
+        assert!(rule.uncertainty() <= most, "{k}: {}", rule.uncertainty());
+    }
+    assert!(rule.uncertainty() > real(0.08));
 }
 
 /// Noise of all sizes, rests and walks, in a network whose covariance loses and regains ten decades.
