@@ -9,7 +9,7 @@ use brunovsky::{
         ClelcCommand,
         unicycle::{Direction, heading},
     },
-    learning::Antecedents,
+    learning::{AdaptationRule, Fixed},
     plant::VanDerPol,
     plot::{BLACK, BLUE, Dash, Draw, Figure, Line, Stroke},
     prelude::*,
@@ -22,13 +22,13 @@ use rand_distr::{Distribution, StandardNormal};
 
 const OUT: &str = "target/figures";
 
-type Learner = NeuroFuzzy<f64, BackwardDifference<f64>, SlidingMode<f64>, 2, 3>;
-type Loop = Clelc<VanDerPol<f64>, Learner, 2>;
+type Learner<R> = NeuroFuzzy<FuzzyNetwork<f64, 2, 3>, BackwardDifference<f64>, R>;
+type Loop<R> = Clelc<VanDerPol<f64>, Learner<R>, 2>;
 type Sample = simulation::Sample<f64, Reference<f64, 2>, ClelcCommand<f64>, 2, 1>;
 
-fn controller(alpha: f64) -> Result<Loop, Error> {
+fn controller(alpha: f64) -> Result<Loop<SlidingMode<f64, Fixed>>, Error> {
     let flc = FeedbackLinearization::new(VanDerPol::new(1.0)?, Gains::from_lambda(2.0)?);
-    let rule = SlidingMode::new(alpha)?.with_antecedents(Antecedents::Fixed)?;
+    let rule = SlidingMode::new(alpha)?.with_antecedents(Fixed);
     let network = FuzzyNetwork::evenly_spaced([1.0, 2.0])?;
     Ok(Clelc::new(flc, NeuroFuzzy::new(network, BackwardDifference::new(), rule)))
 }
@@ -39,8 +39,8 @@ fn uncertainty(t: f64) -> f64 {
 }
 
 /// One run from `start`, with white noise of the deviation `noise` on Δ.
-fn run(
-    controller: &mut Loop,
+fn run<R: AdaptationRule<FuzzyNetwork<f64, 2, 3>> + Clone>(
+    controller: &mut Loop<R>,
     start: [f64; 2],
     period: f64,
     noise: f64,
@@ -109,11 +109,10 @@ fn main() -> anyhow::Result<()> {
     }
     save("phase_plane", &portrait)?;
 
-    let mut flowing = controller(30.0)?;
     let rule = SlidingMode::new(30.0)?;
     let learner = NeuroFuzzy::new(untaught, BackwardDifference::new(), rule);
-    let base = *flowing.base();
-    flowing = Clelc::new(base, learner);
+    let base = *learning.base();
+    let mut flowing = Clelc::new(base, learner);
     run(&mut flowing, [1.0, 0.0], 0.01, 0.0, 0)?;
     let memberships =
         Figure::memberships("error e₂ in 1/s", &untaught, flowing.compensator().network(), 1)?;

@@ -7,7 +7,7 @@ use brunovsky::{plant::Pendulum, prelude::*};
 
 const FILE: &str = "target/warm_start.json";
 
-type Learner = NeuroFuzzy<f64, ModelAided<f64>, SlidingMode<f64>, 2, 3>;
+type Learner = NeuroFuzzy<FuzzyNetwork<f64, 2, 3>, ModelAided<f64>, SlidingMode<f64>>;
 type Loop = Clelc<Pendulum<f64>, Learner, 2>;
 
 /// A controller that has learned nothing yet.

@@ -81,6 +81,16 @@ pub enum Error {
         /// What it has to lie below.
         limit: f64,
     },
+    /// A quantity that has to be another at the most.
+    #[error("{name} = {value} must not be above {limit}")]
+    Above {
+        /// The quantity.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+        /// What it may be at the most.
+        limit: f64,
+    },
     /// A quantity that has to keep a distance from zero.
     #[error("{name}[{index}] = {value} is closer to 0 than {limit}")]
     TooSmall {
@@ -291,5 +301,14 @@ pub(crate) fn below<T: Scalar>(name: &'static str, x: T, limit: T) -> Result<T, 
         Ok(x)
     } else {
         Err(Error::NotBelow { name, value: value(x), limit: value(limit) })
+    }
+}
+
+/// `x`, if it is `limit` at the most; both are finite already.
+pub(crate) fn at_most<T: Scalar>(name: &'static str, x: T, limit: T) -> Result<T, Error> {
+    if x <= limit {
+        Ok(x)
+    } else {
+        Err(Error::Above { name, value: value(x), limit: value(limit) })
     }
 }

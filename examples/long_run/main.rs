@@ -10,7 +10,11 @@ mod statistics;
 mod world;
 
 use anyhow::{Result, ensure};
-use brunovsky::{learning::ErrorRate, plant::IntegratorChain, prelude::*};
+use brunovsky::{
+    learning::{AdaptationRule, ErrorRate, Fixed},
+    plant::IntegratorChain,
+    prelude::*,
+};
 use clap::Parser;
 use comfy_table::{Table, presets::ASCII_MARKDOWN};
 use observed::{Decade, real};
@@ -27,11 +31,15 @@ struct Options {
 }
 
 /// The decades of a run of `steps`; `rates` says whether ẋ is measured.
-fn run<T: Scalar, E: ErrorRate<T, 2> + Clone>(
+fn run<T: Scalar, E, R>(
     steps: u64,
-    learner: NeuroFuzzy<T, E, SlidingMode<T>, 2, 3>,
+    learner: NeuroFuzzy<FuzzyNetwork<T, 2, 3>, E, R>,
     rates: bool,
-) -> Result<Vec<Decade>> {
+) -> Result<Vec<Decade>>
+where
+    E: ErrorRate<T, 2> + Clone,
+    R: AdaptationRule<FuzzyNetwork<T, 2, 3>> + Clone,
+{
     let num = |value: f64| -> T { brunovsky::nalgebra::convert(value) };
     let flc = FeedbackLinearization::new(IntegratorChain::new(), Gains::from_lambda(num(2.0))?);
     let mut clelc = Clelc::new(flc, learner);
@@ -60,41 +68,50 @@ fn run<T: Scalar, E: ErrorRate<T, 2> + Clone>(
 /// All variants in the scalar `T`.
 fn variants<T: Scalar>(scalar: &str, options: &Options, table: &mut Table) -> Result<()> {
     let num = |value: f64| -> T { brunovsky::nalgebra::convert(value) };
-    let network = FuzzyNetwork::evenly_spaced([num(0.1); 2])?;
-    let signs = [
-        ("set-valued", Switching::SetValued),
-        ("δ = 0.5", Switching::Implicit { delta: num(0.5) }),
-    ];
-    for (moving, antecedents, rates) in [
-        ("flow, model-aided", Antecedents::flow(), false),
-        ("fixed, model-aided", Antecedents::Fixed, false),
-        ("fixed, measured", Antecedents::Fixed, true),
-    ] {
-        for (sign, switching) in signs {
-            let name = format!("{scalar}, {moving}, {sign}");
-            if !name.contains(&options.only) {
-                continue;
-            }
-            let rule = SlidingMode::new(num(5.0))?.with_antecedents(antecedents)?;
-            let rule = rule.with_switching(switching)?;
-            let steps = options.steps as u64;
-            let decades = if rates {
-                run(steps, NeuroFuzzy::new(network, Measured, rule), rates)?
-            } else {
-                run(steps, NeuroFuzzy::new(network, ModelAided::new(), rule), rates)?
-            };
-            for decade in decades.iter().skip(1) {
-                ensure!(decade.subnormal == 0, "{} subnormal numbers in {name}", decade.subnormal);
-                table.add_row(decade.row(&name, decades.last()));
-            }
-            if antecedents != Antecedents::Fixed {
-                // Under the flow w̃ is constant, and the consequents have nowhere else to go.
-                let most = decades.iter().map(Decade::astray).fold(0.0, f64::max);
-                ensure!(most <= 4.0 * real(T::default_epsilon()), "{name}: {most} off w̃");
-            }
-        }
+    let flowing = SlidingMode::new(num(5.0))?;
+    let fixed = flowing.with_antecedents(Fixed);
+    let name = |moving: &str| format!("{scalar}, {moving}");
+    for decades in signs(&name("flow, model-aided"), ModelAided::new(), flowing, options, table)? {
+        // Under the flow w̃ is constant, and the consequents have nowhere else to go.
+        let most = decades.iter().map(Decade::astray).fold(0.0, f64::max);
+        ensure!(most <= 4.0 * real(T::default_epsilon()), "{scalar}, flow: {most} off w̃");
     }
+    signs(&name("fixed, model-aided"), ModelAided::new(), fixed, options, table)?;
+    signs(&name("fixed, measured"), Measured, fixed, options, table)?;
     Ok(())
+}
+
+/// The decades of each sign.
+fn signs<T: Scalar, E, A>(
+    name: &str,
+    error_rate: E,
+    rule: SlidingMode<T, A>,
+    options: &Options,
+    table: &mut Table,
+) -> Result<Vec<Vec<Decade>>>
+where
+    E: ErrorRate<T, 2> + Copy,
+    A: Antecedents<FuzzyNetwork<T, 2, 3>> + Copy,
+{
+    let num = |value: f64| -> T { brunovsky::nalgebra::convert(value) };
+    let network = FuzzyNetwork::evenly_spaced([num(0.1); 2])?;
+    let mut runs = Vec::new();
+    for (sign, switching) in
+        [("set-valued", Switching::SetValued), ("δ = 0.5", Switching::Implicit { delta: num(0.5) })]
+    {
+        let name = format!("{name}, {sign}");
+        if !name.contains(&options.only) {
+            continue;
+        }
+        let learner = NeuroFuzzy::new(network, error_rate, rule.with_switching(switching)?);
+        let decades = run(options.steps as u64, learner, name.contains("measured"))?;
+        for decade in decades.iter().skip(1) {
+            ensure!(decade.subnormal == 0, "{} subnormal numbers in {name}", decade.subnormal);
+            table.add_row(decade.row(&name, decades.last()));
+        }
+        runs.push(decades);
+    }
+    Ok(runs)
 }
 
 fn main() -> Result<()> {

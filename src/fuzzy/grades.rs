@@ -18,8 +18,13 @@ impl<T: Scalar, const I: usize, const K: usize> Grades<T, I, K> {
     pub fn at(memberships: &[[Gaussian<T>; K]; I], e: &SVector<T, I>) -> Self {
         let mut rows = [[T::zero(); K]; I];
         for ((grades, row), e) in rows.iter_mut().zip(memberships).zip(e.iter()) {
-            *grades = normalized(row.map(|membership| membership.distance(*e).abs()));
+            *grades = Relative::at(row.map(|membership| membership.distance(*e).abs())).shares();
         }
+        Self(rows)
+    }
+
+    /// The grades of `rows`, each of which sums to 1.
+    pub fn of(rows: [[T; K]; I]) -> Self {
         Self(rows)
     }
 
@@ -37,21 +42,62 @@ impl<T: Scalar, const I: usize, const K: usize> Grades<T, I, K> {
     }
 }
 
-/// exp(−Mₖ²/2)/Σ exp(−M²/2) for distances M ≥ 0.
+/// exp(−Mₖ²/2) for distances M ≥ 0, all relative to the largest of them.
+pub(super) struct Relative<T, const K: usize> {
+    /// The least M.
+    pub nearest: T,
+    grades: [T; K],
+    /// Their sum, at least 1.
+    pub sum: T,
+}
+
+impl<T: Scalar, const K: usize> Relative<T, K> {
+    /// The difference of squares is taken as a product, which keeps its accuracy far out. Equal distances give 1 before any
+    /// arithmetic, so that even distances which overflowed to infinity divide up evenly. A grade below ε is lost in the rounding of the sum.
+    pub fn at(distances: [T; K]) -> Self {
+        let nearest = distances.into_iter().reduce(T::min).unwrap_or(T::zero());
+        let grades = distances.map(|m| {
+            let grade = ((nearest - m) * (nearest + m) * constant(0.5)).exp();
+            if m == nearest {
+                T::one()
+            } else if grade < epsilon() {
+                T::zero()
+            } else {
+                grade
+            }
+        });
+        let sum = grades.iter().fold(T::zero(), |sum, grade| sum + *grade);
+        Self { nearest, grades, sum }
+    }
+
+    /// The grades, normalized to sum to 1.
+    pub fn shares(&self) -> [T; K] {
+        self.grades.map(|grade| grade / self.sum)
+    }
+}
+
+/// Where no membership of compact support fires at `e`: all to the one whose end is the nearest, in even parts if there are several. `supports` are the
+/// left end, the centre and the right end of each.
 ///
-/// The difference of squares is taken as a product, which keeps its accuracy far out. Equal distances give 1 before any
-/// arithmetic, so that even distances which overflowed to infinity divide up evenly. A grade below ε is lost in the rounding of the sum.
-fn normalized<T: Scalar, const K: usize>(distances: [T; K]) -> [T; K] {
-    let nearest = distances.into_iter().reduce(T::min).unwrap_or(T::zero());
-    let grades = distances.map(|m| {
-        let grade = ((nearest - m) * (nearest + m) * constant(0.5)).exp();
-        if m == nearest {
-            T::one()
-        } else if grade < epsilon() {
-            T::zero()
+/// Ends are compared with each other and not by their distances, which far out are all the same number.
+pub(super) fn nearest_alone<T: Scalar, const K: usize>(supports: [[T; 3]; K], e: T) -> [T; K] {
+    let left_of_e = |[_, centre, _]: &[T; 3]| *centre <= e;
+    let below = supports.iter().filter(|own| left_of_e(own)).map(|[_, _, right]| *right);
+    let above = supports.iter().filter(|own| !left_of_e(own)).map(|[left, _, _]| *left);
+    let (below, above) = (below.reduce(T::max), above.reduce(T::min));
+    // Which sides of e are the nearer, if there is a membership on both.
+    let (left, right) = match (below, above) {
+        (Some(below), Some(above)) => (e - below <= above - e, above - e <= e - below),
+        _ => (true, true),
+    };
+    let grades = supports.map(|own| {
+        let [start, _, end] = own;
+        let nearest = if left_of_e(&own) {
+            left && Some(end) == below
         } else {
-            grade
-        }
+            right && Some(start) == above
+        };
+        if nearest { T::one() } else { T::zero() }
     });
     let sum = grades.iter().fold(T::zero(), |sum, grade| sum + *grade);
     grades.map(|grade| grade / sum)

@@ -1,10 +1,17 @@
+use core::fmt::Debug;
+
 use crate::{Scalar, scalar::epsilon};
+
+/// What a rule can have one of: a number, or one for every rule again.
+pub trait PerRule: Copy + Debug + PartialEq {}
+
+impl<V: Copy + Debug + PartialEq> PerRule for V {}
 
 /// The number of inputs of a network, as a type.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Inputs<const I: usize>;
 
-/// Storage for one value a rule: the nested array `[[T; K]; …; K]` of depth I, without allocation.
+/// Storage for one value a rule: the nested array `[[V; K]; …; K]` of depth I, without allocation.
 ///
 /// Stable Rust has no `[T; K.pow(I)]`; the nesting is its replacement, and the reason why networks have 1 to 6 inputs.
 #[diagnostic::on_unimplemented(
@@ -13,11 +20,11 @@ pub struct Inputs<const I: usize>;
     note = "a full grid over more would have K^7 rules and more"
 )]
 pub trait Grid {
-    /// `[[T; K]; …; K]`, Kᴵ values.
-    type Cube<T: Scalar, const K: usize>: Copy + core::fmt::Debug + PartialEq;
+    /// `[[V; K]; …; K]`, Kᴵ values.
+    type Cube<V: PerRule, const K: usize>: PerRule;
 
     /// `value` for every rule.
-    fn filled<T: Scalar, const K: usize>(value: T) -> Self::Cube<T, K>;
+    fn filled<V: PerRule, const K: usize>(value: V) -> Self::Cube<V, K>;
 
     /// The sum of the values, each times Πᵢ rowsᵢ\[kᵢ\] for its rule (k₁, …, k_I): one input after another. One row an input; a missing row
     /// counts as ones.
@@ -33,16 +40,16 @@ pub trait Grid {
     );
 
     /// The values in the order of the rules, last input fastest.
-    fn values<T: Scalar, const K: usize>(cube: &Self::Cube<T, K>) -> &[T];
+    fn values<V: PerRule, const K: usize>(cube: &Self::Cube<V, K>) -> &[V];
 
     /// The values in the order of the rules, last input fastest.
-    fn values_mut<T: Scalar, const K: usize>(cube: &mut Self::Cube<T, K>) -> &mut [T];
+    fn values_mut<V: PerRule, const K: usize>(cube: &mut Self::Cube<V, K>) -> &mut [V];
 }
 
 impl Grid for Inputs<1> {
-    type Cube<T: Scalar, const K: usize> = [T; K];
+    type Cube<V: PerRule, const K: usize> = [V; K];
 
-    fn filled<T: Scalar, const K: usize>(value: T) -> [T; K] {
+    fn filled<V: PerRule, const K: usize>(value: V) -> [V; K] {
         [value; K]
     }
 
@@ -64,11 +71,11 @@ impl Grid for Inputs<1> {
         }
     }
 
-    fn values<T: Scalar, const K: usize>(cube: &[T; K]) -> &[T] {
+    fn values<V: PerRule, const K: usize>(cube: &[V; K]) -> &[V] {
         cube
     }
 
-    fn values_mut<T: Scalar, const K: usize>(cube: &mut [T; K]) -> &mut [T] {
+    fn values_mut<V: PerRule, const K: usize>(cube: &mut [V; K]) -> &mut [V] {
         cube
     }
 }
@@ -92,9 +99,9 @@ fn negligible<T: Scalar>() -> T {
 macro_rules! grid {
     ($inputs:literal = 1 + $fewer:literal, $($flatten:ident $flatten_mut:ident),+) => {
         impl Grid for Inputs<$inputs> {
-            type Cube<T: Scalar, const K: usize> = [<Inputs<$fewer> as Grid>::Cube<T, K>; K];
+            type Cube<V: PerRule, const K: usize> = [<Inputs<$fewer> as Grid>::Cube<V, K>; K];
 
-            fn filled<T: Scalar, const K: usize>(value: T) -> Self::Cube<T, K> {
+            fn filled<V: PerRule, const K: usize>(value: V) -> Self::Cube<V, K> {
                 [Inputs::<$fewer>::filled(value); K]
             }
 
@@ -121,11 +128,11 @@ macro_rules! grid {
                 }
             }
 
-            fn values<T: Scalar, const K: usize>(cube: &Self::Cube<T, K>) -> &[T] {
+            fn values<V: PerRule, const K: usize>(cube: &Self::Cube<V, K>) -> &[V] {
                 cube$(.$flatten())+
             }
 
-            fn values_mut<T: Scalar, const K: usize>(cube: &mut Self::Cube<T, K>) -> &mut [T] {
+            fn values_mut<V: PerRule, const K: usize>(cube: &mut Self::Cube<V, K>) -> &mut [V] {
                 cube$(.$flatten_mut())+
             }
         }

@@ -1,6 +1,9 @@
 use nalgebra::SVector;
 
-use super::{Gaussian, Grid, Inputs, Rules, grades::Grades, travel::Travel};
+use super::{
+    Gaussian, Grid, Inputs, Network, Over, Rules, Strengths, Travelling, grades::Grades,
+    travel::Travel,
+};
 use crate::{
     Error, Scalar,
     error::{finite, finite_vector, positive},
@@ -27,7 +30,7 @@ where
 /// How strongly each rule fires at one input of a network: the normalized firing strengths w̃, which are not negative and sum to 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Firing<T: Scalar, const I: usize, const K: usize> {
-    grades: Grades<T, I, K>,
+    pub(super) grades: Grades<T, I, K>,
     norm_squared: T,
     /// Whether this is the firing of memberships at the input that they travel with.
     carried: bool,
@@ -49,7 +52,7 @@ where
         self.norm_squared
     }
 
-    fn of(grades: Grades<T, I, K>) -> Self {
+    pub(super) fn of(grades: Grades<T, I, K>) -> Self {
         Self { grades, norm_squared: grades.dot(&grades), carried: false }
     }
 }
@@ -111,17 +114,7 @@ where
     /// [`Error::Length`] unless there are Kᴵ of them, [`Error::NonFinite`] for one that is not finite, or if the output at the input that
     /// the memberships travel with is not; the network is then as before.
     pub fn set_consequents(&mut self, consequents: &[T]) -> Result<(), Error> {
-        let (expected, found) = (self.consequents.len(), consequents.len());
-        if expected != found {
-            return Err(Error::Length { name: "consequents", expected, found });
-        }
-        for consequent in consequents {
-            finite("consequent", *consequent)?;
-        }
-        let mut replaced = self.consequents;
-        for (own, new) in replaced.iter_mut().zip(consequents) {
-            *own = *new;
-        }
+        let replaced = Rules::consequents(consequents)?;
         if let Some(travel) = &mut self.travel {
             travel.start = finite("u_n", replaced.mean(travel.grades.rows()))?;
             travel.moved = T::zero();
@@ -182,9 +175,77 @@ where
         }
     }
 
-    /// Carries the memberships along with an input that has moved to `e`. The first time there is no move to follow: they stay
-    /// where they are, and M² is to stay between `floor` and `ceiling` from then on.
-    pub(crate) fn carry(&mut self, e: &SVector<T, I>, floor: T, ceiling: T) {
+    fn shift(&mut self, by: &SVector<T, I>) {
+        for (row, by) in self.memberships.iter_mut().zip(by.iter()) {
+            *row = row.map(|membership| membership.shifted(*by));
+        }
+    }
+}
+
+impl<T: Scalar, const I: usize, const K: usize> Strengths<T> for Firing<T, I, K>
+where
+    Inputs<I>: Grid,
+{
+    type Rules = Rules<T, I, K>;
+
+    fn strengths(&self) -> Rules<T, I, K> {
+        self.strengths()
+    }
+
+    fn norm_squared(&self) -> T {
+        self.norm_squared()
+    }
+}
+
+impl<T: Scalar, const I: usize, const K: usize> Network for FuzzyNetwork<T, I, K>
+where
+    Inputs<I>: Grid,
+{
+    type Scalar = T;
+    type Input = SVector<T, I>;
+    type Firing = Firing<T, I, K>;
+
+    fn fire(&self, e: &SVector<T, I>) -> Firing<T, I, K> {
+        self.fire(e)
+    }
+
+    fn output(&self, firing: &Firing<T, I, K>) -> T {
+        self.output(firing)
+    }
+
+    fn move_consequents(&mut self, firing: &Firing<T, I, K>, rate: T) {
+        self.move_consequents(firing, rate);
+    }
+
+    fn change_consequents(&mut self, change: impl FnOnce(&mut [T])) {
+        self.consequents = self.consequents();
+        change(&mut self.consequents);
+        if let Some(travel) = &mut self.travel {
+            travel.start = self.consequents.mean(travel.grades.rows());
+            travel.moved = T::zero();
+        }
+    }
+
+    fn released(self) -> Self {
+        let mut free = Self { consequents: self.consequents(), ..self };
+        if let Some(travel) = free.travel.take() {
+            free.memberships = travel.flowed(&free.memberships);
+            free.shift(&travel.at);
+        }
+        free
+    }
+}
+
+impl<T: Scalar, const I: usize, const K: usize> Over<T, I> for FuzzyNetwork<T, I, K> where
+    Inputs<I>: Grid
+{
+}
+
+impl<T: Scalar, const I: usize, const K: usize> Travelling for FuzzyNetwork<T, I, K>
+where
+    Inputs<I>: Grid,
+{
+    fn carry(&mut self, e: &SVector<T, I>, floor: T, ceiling: T) {
         match &mut self.travel {
             Some(travel) => travel.at = *e,
             None => {
@@ -196,26 +257,9 @@ where
         }
     }
 
-    /// Lets the memberships that are carried along flow by τ: M² ↦ M² + 2τ, d ↦ d·e^{−τ}.
-    pub(crate) fn flow(&mut self, tau: T) {
+    fn flow(&mut self, tau: T) {
         if let Some(travel) = &mut self.travel {
             travel.flow(tau);
-        }
-    }
-
-    /// The same network, with memberships that stay where they are until a rule carries them along again.
-    pub(crate) fn released(&self) -> Self {
-        let mut free = Self { consequents: self.consequents(), ..*self };
-        if let Some(travel) = free.travel.take() {
-            free.memberships = travel.flowed(&free.memberships);
-            free.shift(&travel.at);
-        }
-        free
-    }
-
-    fn shift(&mut self, by: &SVector<T, I>) {
-        for (row, by) in self.memberships.iter_mut().zip(by.iter()) {
-            *row = row.map(|membership| membership.shifted(*by));
         }
     }
 }

@@ -1,21 +1,42 @@
 use core::ops::{Deref, DerefMut};
 
-use super::{Grid, Inputs};
-use crate::Scalar;
+use super::{Grid, Inputs, PerRule};
+use crate::{Error, Scalar, error::finite};
 
 /// One value for each of the Kᴵ rules, in their order: a slice that is stored in place.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Rules<T: Scalar, const I: usize, const K: usize>(<Inputs<I> as Grid>::Cube<T, K>)
+pub struct Rules<V: PerRule, const I: usize, const K: usize>(<Inputs<I> as Grid>::Cube<V, K>)
 where
     Inputs<I>: Grid;
+
+impl<V: PerRule, const I: usize, const K: usize> Rules<V, I, K>
+where
+    Inputs<I>: Grid,
+{
+    /// `value` for every rule.
+    pub fn filled(value: V) -> Self {
+        Self(Inputs::<I>::filled(value))
+    }
+}
 
 impl<T: Scalar, const I: usize, const K: usize> Rules<T, I, K>
 where
     Inputs<I>: Grid,
 {
-    /// `value` for every rule.
-    pub(super) fn filled(value: T) -> Self {
-        Self(Inputs::<I>::filled(value))
+    /// `values`, one a rule, which are to be consequents.
+    ///
+    /// # Errors
+    /// [`Error::Length`] unless there are Kᴵ of them, [`Error::NonFinite`] for one that is not finite.
+    pub(super) fn consequents(values: &[T]) -> Result<Self, Error> {
+        let mut rules = Self::filled(T::zero());
+        let (expected, found) = (rules.len(), values.len());
+        if expected != found {
+            return Err(Error::Length { name: "consequents", expected, found });
+        }
+        for (own, value) in rules.iter_mut().zip(values) {
+            *own = finite("consequent", *value)?;
+        }
+        Ok(rules)
     }
 
     /// Their mean, weighted with the outer product of `grades`.
@@ -29,22 +50,22 @@ where
     }
 }
 
-impl<T: Scalar, const I: usize, const K: usize> Deref for Rules<T, I, K>
+impl<V: PerRule, const I: usize, const K: usize> Deref for Rules<V, I, K>
 where
     Inputs<I>: Grid,
 {
-    type Target = [T];
+    type Target = [V];
 
-    fn deref(&self) -> &[T] {
+    fn deref(&self) -> &[V] {
         Inputs::<I>::values(&self.0)
     }
 }
 
-impl<T: Scalar, const I: usize, const K: usize> DerefMut for Rules<T, I, K>
+impl<V: PerRule, const I: usize, const K: usize> DerefMut for Rules<V, I, K>
 where
     Inputs<I>: Grid,
 {
-    fn deref_mut(&mut self) -> &mut [T] {
+    fn deref_mut(&mut self) -> &mut [V] {
         Inputs::<I>::values_mut(&mut self.0)
     }
 }

@@ -1,10 +1,8 @@
-use nalgebra::SVector;
-
 use super::AdaptationRule;
 use crate::{
     Error, Scalar,
     error::positive,
-    fuzzy::{Firing, FuzzyNetwork, Grid, Inputs},
+    fuzzy::{Network, Strengths},
 };
 
 /// Any rule with limits on what it learns: |u_n| ≤ U and, if wanted, a step of u_n of at most R·h in a period.
@@ -18,7 +16,7 @@ use crate::{
 ///
 /// R is for rules with no limit of their own: under [`SlidingMode`](super::SlidingMode) the step is αh at the most anyway, while under
 /// [`GradientDescent`](super::GradientDescent) it grows with s, so one outlier of a sensor moves u_n arbitrarily far. An R below the
-/// rate of Δ leaves a lag to the feedback. It limits learning: with [`Fixed`](super::Antecedents::Fixed) antecedents u_n also moves when e
+/// rate of Δ leaves a lag to the feedback. It limits learning: with [`Fixed`](super::Fixed) antecedents u_n also moves when e
 /// does, by what is known already. A [`RateLimit`](crate::channel::RateLimit) limits the input itself.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bounded<R, T> {
@@ -57,24 +55,14 @@ impl<R, T: Scalar> Bounded<R, T> {
     }
 }
 
-impl<T: Scalar, R: AdaptationRule<T, I, K>, const I: usize, const K: usize> AdaptationRule<T, I, K>
-    for Bounded<R, T>
-where
-    Inputs<I>: Grid,
-{
-    fn follow(&mut self, network: &mut FuzzyNetwork<T, I, K>, e: &SVector<T, I>) {
+impl<T: Scalar, W: Network<Scalar = T>, R: AdaptationRule<W>> AdaptationRule<W> for Bounded<R, T> {
+    fn follow(&mut self, network: &mut W, e: &W::Input) {
         self.rule.follow(network, e);
     }
 
-    fn adapt(
-        &mut self,
-        network: &mut FuzzyNetwork<T, I, K>,
-        firing: &Firing<T, I, K>,
-        s: T,
-        dt: T,
-    ) {
+    fn adapt(&mut self, network: &mut W, firing: &W::Firing, s: T, dt: T) {
         let last = self.output(network, firing);
-        let mut learned = *network;
+        let mut learned = network.clone();
         self.rule.adapt(&mut learned, firing, s, dt);
         let free = self.rule.output(&learned, firing);
         let u_n = if free.is_finite() { self.limited(last, free, dt) } else { last };
@@ -87,7 +75,7 @@ where
         }
     }
 
-    fn output(&self, network: &FuzzyNetwork<T, I, K>, firing: &Firing<T, I, K>) -> T {
+    fn output(&self, network: &W, firing: &W::Firing) -> T {
         self.clamped(self.rule.output(network, firing))
     }
 }

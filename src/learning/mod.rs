@@ -9,10 +9,10 @@
 //!
 //! | piece | what it decides | choices |
 //! |---|---|---|
-//! | [`ErrorRate`] | where ė_n comes from | [`Measured`], [`ModelAided`], any [`Differentiator`](crate::differentiator::Differentiator) of e_n, [`OfState`]; [`Conditional`] around any, [`Redundant`] around two |
-//! | [`AdaptationRule`] | how the network moves | [`SlidingMode`], [`GradientDescent`], [`NullRule`]; [`Bounded`] around any |
+//! | [`ErrorRate`] | where ė_n comes from | [`Measured`], [`ModelAided`], any [`Differentiator`](crate::differentiator::Differentiator) of e_n, [`OfState`], [`FeedbackError`]; [`Conditional`] around any, [`Redundant`] around two |
+//! | [`AdaptationRule`] | how the network moves | [`SlidingMode`], [`AdaptiveSlidingMode`], [`GradientDescent`], [`RecursiveLeastSquares`], [`NullRule`]; [`Bounded`] around any |
 //! | [`Switching`] | how sgn(s) is discretized | `Explicit`, `Implicit`, `SetValued` |
-//! | [`Antecedents`] | whether the memberships move | `Fixed`, `Flow` |
+//! | [`Antecedents`] | whether the memberships move | [`Fixed`], [`Flow`] |
 //! | [`Compensator`] | all of it together: e, u_b, … ↦ u_n | [`NeuroFuzzy`], [`NullCompensator`]; [`Guarded`] around any |
 //! | [`LearningMode`] | whether u_n is learned, and whether it is used | `Off`, `Frozen`, `Active` |
 //! | [`Certificate`] | what theory promises | |
@@ -23,6 +23,7 @@
 //!
 //! This module depends on [`fuzzy`](crate::fuzzy) and [`differentiator`](crate::differentiator), and knows nothing of controllers.
 
+mod adaptive_sliding_mode;
 mod advisor;
 mod antecedents;
 mod bounded;
@@ -35,24 +36,29 @@ mod guarded;
 mod mode;
 mod monitor;
 mod neuro_fuzzy;
+mod recursive_least_squares;
 mod rule;
 mod sliding_mode;
 mod switching;
 mod watchdog;
 
 pub use crate::differentiator::{BackwardDifference, FilteredDifference};
+pub use adaptive_sliding_mode::AdaptiveSlidingMode;
 pub use advisor::{Advisor, Recommendation};
-pub use antecedents::Antecedents;
+pub use antecedents::{Antecedents, Fixed, Flow};
 pub use bounded::Bounded;
 pub use certificate::Certificate;
 pub use closed_loop::ClosedLoop;
 pub use compensator::{Compensation, Compensator, NullCompensator};
-pub use error_rate::{Conditional, ErrorRate, Measured, ModelAided, OfState, Redundant};
+pub use error_rate::{
+    Conditional, ErrorRate, FeedbackError, Measured, ModelAided, OfState, Redundant,
+};
 pub use gradient_descent::GradientDescent;
 pub use guarded::Guarded;
 pub use mode::LearningMode;
 pub use monitor::{Monitor, Verdict};
 pub use neuro_fuzzy::NeuroFuzzy;
+pub use recursive_least_squares::RecursiveLeastSquares;
 pub use rule::{AdaptationRule, NullRule};
 pub use sliding_mode::SlidingMode;
 pub use switching::Switching;

@@ -2,7 +2,7 @@ use super::{AdaptationRule, ClosedLoop, Compensation, Compensator, ErrorRate, Le
 use crate::{
     Error, Scalar,
     error::{finite, finite_vector, positive},
-    fuzzy::{FuzzyNetwork, Grid, Inputs},
+    fuzzy::{Network, Over},
 };
 
 /// The intelligent controller of CLELC: a fuzzy network over the error vector e, trained on s = ė_n + u_b.
@@ -10,45 +10,41 @@ use crate::{
 /// At each sample the network is evaluated at e, s is formed with ė_n from the error-rate source, the rule learns over the period,
 /// and u_n is the output *after* learning. Where the loop's [`LearningMode`] says so, the step of the rule is left out, and u_n too.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct NeuroFuzzy<T: Scalar, E, R, const N: usize, const K: usize>
-where
-    Inputs<N>: Grid,
-{
-    network: FuzzyNetwork<T, N, K>,
+pub struct NeuroFuzzy<W, E, R> {
+    network: W,
     error_rate: E,
     rule: R,
 }
 
-impl<T: Scalar, E, R, const N: usize, const K: usize> NeuroFuzzy<T, E, R, N, K>
-where
-    Inputs<N>: Grid,
-{
+impl<W: Network, E, R> NeuroFuzzy<W, E, R> {
     /// A `network` trained by `rule`, with ė_n from `error_rate`.
-    pub fn new(network: FuzzyNetwork<T, N, K>, error_rate: E, rule: R) -> Self
+    pub fn new<T, const N: usize>(network: W, error_rate: E, rule: R) -> Self
     where
+        T: Scalar,
+        W: Over<T, N>,
         E: ErrorRate<T, N>,
-        R: AdaptationRule<T, N, K>,
+        R: AdaptationRule<W>,
     {
         Self { network: network.released(), error_rate, rule }
     }
 
     /// The network as it stands.
-    pub fn network(&self) -> &FuzzyNetwork<T, N, K> {
+    pub fn network(&self) -> &W {
         &self.network
     }
 
     /// The network as it stands, to be changed.
-    pub fn network_mut(&mut self) -> &mut FuzzyNetwork<T, N, K> {
+    pub fn network_mut(&mut self) -> &mut W {
         &mut self.network
     }
 }
 
-impl<T, E, R, const N: usize, const K: usize> Compensator<T, N> for NeuroFuzzy<T, E, R, N, K>
+impl<T, W, E, R, const N: usize> Compensator<T, N> for NeuroFuzzy<W, E, R>
 where
     T: Scalar,
+    W: Over<T, N>,
     E: ErrorRate<T, N> + Clone,
-    R: AdaptationRule<T, N, K> + Clone,
-    Inputs<N>: Grid,
+    R: AdaptationRule<W> + Clone,
 {
     fn advance_if(
         &mut self,
@@ -82,8 +78,6 @@ where
 }
 
 checked! {
-    [T: Scalar, E, R, const N: usize, const K: usize] NeuroFuzzy<T, E, R, N, K>,
-    [T, E, R; Inputs<N>: Grid]
-    { network: FuzzyNetwork<T, N, K>, error_rate: E, rule: R } =>
+    [W, E, R] NeuroFuzzy<W, E, R>, [W, E, R] { network: W, error_rate: E, rule: R } =>
     Ok(Self { network, error_rate, rule })
 }

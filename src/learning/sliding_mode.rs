@@ -1,10 +1,8 @@
-use nalgebra::SVector;
-
-use super::{AdaptationRule, Antecedents, Certificate, Switching};
+use super::{AdaptationRule, Antecedents, Certificate, Flow, Switching};
 use crate::{
     Error, Scalar,
     error::positive,
-    fuzzy::{Firing, FuzzyNetwork, Grid, Inputs},
+    fuzzy::{Network, Strengths},
 };
 
 /// The sliding-mode learning rule, which makes the network's output obey u̇_n = α·sgn(s) (eq_dotun5).
@@ -19,20 +17,20 @@ use crate::{
 /// singular. If α exceeds the bound B on |Δ̇|, s reaches zero within |s(0)|/(α − B); see [`Certificate`].
 ///
 /// ```
-/// use brunovsky::learning::{Antecedents, SlidingMode, Switching};
+/// use brunovsky::learning::{Fixed, SlidingMode, Switching};
 ///
 /// let recommended = SlidingMode::new(25.0)?;
 /// let literal = SlidingMode::new(25.0)?.with_switching(Switching::Explicit { delta: 0.05 })?;
-/// let remembering = recommended.with_antecedents(Antecedents::Fixed)?;
+/// let remembering = recommended.with_antecedents(Fixed);
 /// assert!(literal.certificate(0.01, 5.0)?.explicit_chatters());
 /// # let _ = remembering;
 /// # Ok::<(), brunovsky::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SlidingMode<T> {
-    alpha: T,
+pub struct SlidingMode<T, A = Flow<T>> {
+    pub(super) alpha: T,
     switching: Switching<T>,
-    antecedents: Antecedents<T>,
+    antecedents: A,
 }
 
 impl<T: Scalar> SlidingMode<T> {
@@ -44,10 +42,12 @@ impl<T: Scalar> SlidingMode<T> {
         Ok(Self {
             alpha: positive("alpha", alpha)?,
             switching: Switching::SetValued,
-            antecedents: Antecedents::flow(),
+            antecedents: Flow::default(),
         })
     }
+}
 
+impl<T: Scalar, A> SlidingMode<T, A> {
     /// The same rule with another discretization of the sign.
     ///
     /// # Errors
@@ -56,12 +56,9 @@ impl<T: Scalar> SlidingMode<T> {
         Ok(Self { switching: switching.validated()?, ..self })
     }
 
-    /// The same rule with another treatment of the antecedents.
-    ///
-    /// # Errors
-    /// [`Error::NotPositive`], [`Error::NotBelow`] or [`Error::NonFinite`] for bounds that are not 0 < floor < ceiling.
-    pub fn with_antecedents(self, antecedents: Antecedents<T>) -> Result<Self, Error> {
-        Ok(Self { antecedents: antecedents.validated()?, ..self })
+    /// The same rule with another treatment of the antecedents: [`Fixed`](super::Fixed), or a [`Flow`] between other bounds.
+    pub fn with_antecedents<B>(self, antecedents: B) -> SlidingMode<T, B> {
+        SlidingMode { alpha: self.alpha, switching: self.switching, antecedents }
     }
 
     /// What theory promises of this rule at period `dt` for an uncertainty with |Δ̇| ≤ `bound`.
@@ -73,35 +70,22 @@ impl<T: Scalar> SlidingMode<T> {
     }
 }
 
-impl<T: Scalar, const I: usize, const K: usize> AdaptationRule<T, I, K> for SlidingMode<T>
-where
-    Inputs<I>: Grid,
-{
-    fn follow(&mut self, network: &mut FuzzyNetwork<T, I, K>, e: &SVector<T, I>) {
-        // ċ = ė + …: between samples the centres travel exactly as far as the input did.
-        if let Antecedents::Flow { floor, ceiling } = self.antecedents {
-            network.carry(e, floor, ceiling);
-        }
+impl<T: Scalar, W: Network<Scalar = T>, A: Antecedents<W>> AdaptationRule<W> for SlidingMode<T, A> {
+    fn follow(&mut self, network: &mut W, e: &W::Input) {
+        self.antecedents.follow(network, e);
     }
 
-    fn adapt(
-        &mut self,
-        network: &mut FuzzyNetwork<T, I, K>,
-        firing: &Firing<T, I, K>,
-        s: T,
-        dt: T,
-    ) {
+    fn adapt(&mut self, network: &mut W, firing: &W::Firing, s: T, dt: T) {
         let reach = self.alpha * dt;
         let travel = reach * self.switching.sign(s, reach);
         network.move_consequents(firing, travel / firing.norm_squared());
-        if let Antecedents::Flow { .. } = self.antecedents {
-            network.flow(travel);
-        }
+        self.antecedents.flow(network, travel);
     }
 }
 
 checked! {
-    [T: Scalar] SlidingMode<T>, [T]
-    { alpha: T, switching: Switching<T>, antecedents: Antecedents<T> } =>
-    Self::new(alpha).and_then(|rule| rule.with_switching(switching)?.with_antecedents(antecedents))
+    [T: Scalar, A] SlidingMode<T, A>, [T, A]
+    { alpha: T, switching: Switching<T>, antecedents: A } =>
+    SlidingMode::new(alpha)
+        .and_then(|rule| Ok(rule.with_switching(switching)?.with_antecedents(antecedents)))
 }

@@ -14,7 +14,7 @@ use crate::{
 /// |s| has been within for as long as it was not.
 ///
 /// The certificate says nothing of samples at which nothing is learned. Where u_n also moves with e, because the antecedents are
-/// [`Fixed`](super::Antecedents::Fixed), B has to cover that too.
+/// [`Fixed`](super::Fixed), B has to cover that too.
 ///
 /// It only says so. [`Guarded`](super::Guarded) puts it on a compensator, with the fall-back to plain feedback.
 ///

@@ -6,8 +6,11 @@ use brunovsky::{
         Command, Controller, Decoupling, Limited, Measurement, Mode, Reference, Supervised,
         unicycle::{Direction, Standstill, UnicycleController},
     },
+    fuzzy::FuzzyNetwork,
     integrators::{Integrator, Rk4},
-    learning::{Antecedents, BackwardDifference, LearningMode, ModelAided, SlidingMode},
+    learning::{
+        Antecedents, BackwardDifference, Fixed, Flow, LearningMode, ModelAided, SlidingMode,
+    },
     plant::{
         FeedbackLinearizable, IntegratorChain, Link, Pendulum, Plant, TwoLinkArm, Uncertain,
         Unicycle,
@@ -22,20 +25,24 @@ use LearningMode::{Active, Frozen, Off};
 const DT: f64 = 0.02;
 const LAMBDA: f64 = 2.0;
 
-type Clelc<P> = Learning<P, ModelAided<f64>, f64, 2>;
+type Clelc<P, A> = Learning<P, ModelAided<f64>, f64, 2, A>;
 
-const ANTECEDENTS: [fn() -> Antecedents<f64>; 2] = [|| Antecedents::Fixed, Antecedents::flow];
+/// What every law here asks of the antecedents.
+trait Treatment: Antecedents<FuzzyNetwork<f64, 2, 3>> + Copy + PartialEq + core::fmt::Debug {}
 
-fn learner<P>(model: P, antecedents: fn() -> Antecedents<f64>) -> Clelc<P>
+impl Treatment for Fixed {}
+impl Treatment for Flow<f64> {}
+
+fn learner<P, A: Treatment>(model: P, antecedents: A) -> Clelc<P, A>
 where
     P: FeedbackLinearizable<2, Scalar = f64>,
 {
-    let rule = SlidingMode::new(8.0).unwrap().with_antecedents(antecedents()).unwrap();
+    let rule = SlidingMode::new(8.0).unwrap().with_antecedents(antecedents);
     support::learning(model, LAMBDA, ModelAided::new(), rule)
 }
 
 /// The bits of everything that was learned.
-fn bits<P: FeedbackLinearizable<2, Scalar = f64>>(clelc: &Clelc<P>) -> Vec<u64> {
+fn bits<P: FeedbackLinearizable<2, Scalar = f64>, A: Treatment>(clelc: &Clelc<P, A>) -> Vec<u64> {
     clelc.compensator().network().consequents().iter().map(|f| f.to_bits()).collect()
 }
 
@@ -128,71 +135,83 @@ fn swing(t: f64) -> Reference<f64, 2> {
     Reference::new([t.sin(), t.cos()], -t.sin())
 }
 
-fn on_the_pendulum<C>(
-    wrapped: impl Fn(Clelc<Pendulum<f64>>) -> C,
-    inside: impl Fn(&C) -> &Clelc<Pendulum<f64>>,
+fn on_the_pendulum<A: Treatment, C>(
+    antecedents: A,
+    wrapped: impl Fn(Clelc<Pendulum<f64>, A>) -> C,
+    inside: impl Fn(&C) -> &Clelc<Pendulum<f64>, A>,
     transfer: usize,
 ) where
     C: Controller<2, 1, Scalar = f64, Reference = Reference<f64, 2>>,
 {
-    for antecedents in ANTECEDENTS {
-        let controller = wrapped(learner(pendulum(0.8), antecedents));
-        let plain = flc(pendulum(0.8), LAMBDA);
-        Loop::new(controller, swing, gusty, [0.5, 0.0]).through_all_modes(
-            plain,
-            |controller| bits(inside(controller)),
-            transfer,
-        );
-    }
+    let controller = wrapped(learner(pendulum(0.8), antecedents));
+    let plain = flc(pendulum(0.8), LAMBDA);
+    Loop::new(controller, swing, gusty, [0.5, 0.0]).through_all_modes(
+        plain,
+        |controller| bits(inside(controller)),
+        transfer,
+    );
 }
 
 #[test]
 fn of_clelc_itself() {
-    on_the_pendulum(|clelc| clelc, |clelc| clelc, 0);
+    on_the_pendulum(Fixed, |clelc| clelc, |clelc| clelc, 0);
+    on_the_pendulum(Flow::default(), |clelc| clelc, |clelc| clelc, 0);
 }
 
 #[test]
 fn behind_an_actuator() {
     let wide = Saturation::symmetric([1e6]).unwrap();
-    on_the_pendulum(|clelc| Limited::new(clelc, wide), Limited::controller, 0);
+    on_the_pendulum(Fixed, |clelc| Limited::new(clelc, wide), Limited::controller, 0);
+    on_the_pendulum(Flow::default(), |clelc| Limited::new(clelc, wide), Limited::controller, 0);
 }
 
 /// Its fade is over within a sample, so a transfer takes the one sample that it holds the input for.
 #[test]
 fn beside_an_operator() {
-    let wrapped = |clelc| {
+    fn wrapped<A: Treatment>(
+        clelc: Clelc<Pendulum<f64>, A>,
+    ) -> Supervised<Clelc<Pendulum<f64>, A>, f64, 1> {
         let mut supervised = Supervised::new(clelc, [1e9]).unwrap();
         supervised.select(Mode::Automatic(Active));
         supervised
-    };
-    on_the_pendulum(wrapped, Supervised::controller, 1);
+    }
+    on_the_pendulum(Fixed, wrapped, Supervised::controller, 1);
+    on_the_pendulum(Flow::default(), wrapped, Supervised::controller, 1);
 }
 
 #[test]
 fn in_the_chains_of_an_arm() {
+    on_the_arm(Fixed);
+    on_the_arm(Flow::default());
+}
+
+fn on_the_arm(antecedents: impl Treatment) {
     let arm = |payload| {
         let link = Link { mass: 2.0, length: 0.35, centre: 0.15, inertia: 0.02 };
         let arm = TwoLinkArm::new([link; 2], [0.1, 0.2], 9.81).unwrap();
         arm.with_payload(payload).unwrap()
     };
     let loaded = arm(0.5);
-    for antecedents in ANTECEDENTS {
-        let learner = learner(IntegratorChain::new(), antecedents);
-        let plain = flc(IntegratorChain::new(), LAMBDA);
-        let pose = |_| [Reference::setpoint(0.4), Reference::setpoint(0.7)];
-        let step = |t: f64, x: &_, u: &_| moved(&loaded, t, x, u);
-        let looped =
-            Loop::new(Decoupling::new(arm(0.0), [learner; 2]), pose, step, [0.0, 0.1, 0.0, 0.0]);
-        let learned = |arm: &Decoupling<_, [Clelc<_>; 2], 4, 2, 2>| {
-            arm.chains().iter().flat_map(bits).collect()
-        };
-        looped.through_all_modes(Decoupling::new(arm(0.0), [plain; 2]), learned, 0);
-    }
+    let learner = learner(IntegratorChain::new(), antecedents);
+    let plain = flc(IntegratorChain::new(), LAMBDA);
+    let pose = |_| [Reference::setpoint(0.4), Reference::setpoint(0.7)];
+    let step = |t: f64, x: &_, u: &_| moved(&loaded, t, x, u);
+    let looped =
+        Loop::new(Decoupling::new(arm(0.0), [learner; 2]), pose, step, [0.0, 0.1, 0.0, 0.0]);
+    let learned = |arm: &Decoupling<_, [Clelc<_, _>; 2], 4, 2, 2>| {
+        arm.chains().iter().flat_map(bits).collect()
+    };
+    looped.through_all_modes(Decoupling::new(arm(0.0), [plain; 2]), learned, 0);
+}
+
+#[test]
+fn on_the_axes_of_the_unicycle() {
+    on_the_unicycle(Fixed);
+    on_the_unicycle(Flow::default());
 }
 
 /// An array of one kind and a pair of two, on ground on which the robot drives 0.8 and turns 0.7 of what it is told.
-#[test]
-fn on_the_axes_of_the_unicycle() {
+fn on_the_unicycle(antecedents: impl Treatment) {
     let circle = Circle::new([0.0, 0.0], 2.0, 0.5, 0.0).unwrap();
     let slipping = |_: f64, x: &SVector<f64, 4>, u: &SVector<f64, 2>| {
         moved(&Unicycle::new(), 0.0, x, &[(0.8 * u[0] - x[3]) / DT, 0.7 * u[1]].into())
@@ -201,32 +220,29 @@ fn on_the_axes_of_the_unicycle() {
     let plain = flc(IntegratorChain::<f64, 2>::new(), LAMBDA);
     let (direction, standstill) = (Direction::Forward, Standstill::Hold);
     let references = |t| circle.references(t);
-    for antecedents in ANTECEDENTS {
-        let learner = learner(IntegratorChain::new(), antecedents);
-        let rule = SlidingMode::new(8.0).unwrap();
-        let other =
-            support::learning(IntegratorChain::new(), LAMBDA, BackwardDifference::new(), rule);
-        let plain = UnicycleController::new([plain; 2], direction, 0.01, standstill).unwrap();
+    let learner = learner(IntegratorChain::new(), antecedents);
+    let rule = SlidingMode::new(8.0).unwrap();
+    let other = support::learning(IntegratorChain::new(), LAMBDA, BackwardDifference::new(), rule);
+    let plain = UnicycleController::new([plain; 2], direction, 0.01, standstill).unwrap();
 
-        let two = UnicycleController::new([learner; 2], direction, 0.01, standstill).unwrap();
-        let looped = Loop::new(two, references, slipping, start);
-        looped.through_all_modes(plain, |two| two.axes().iter().flat_map(bits).collect(), 0);
+    let two = UnicycleController::new([learner; 2], direction, 0.01, standstill).unwrap();
+    let looped = Loop::new(two, references, slipping, start);
+    looped.through_all_modes(plain, |two| two.axes().iter().flat_map(bits).collect(), 0);
 
-        let pair = UnicycleController::new((learner, other), direction, 0.01, standstill).unwrap();
-        let looped = Loop::new(pair, references, slipping, start);
-        let second = |f: &f64| f.to_bits();
-        let learned = |pair: &UnicycleController<f64, (Clelc<_>, Learning<_, _, _, 2>)>| {
-            let (first, other) = pair.axes();
-            let other = other.compensator().network().consequents();
-            bits(first).into_iter().chain(other.iter().map(second)).collect()
-        };
-        looped.through_all_modes(plain, learned, 0);
-    }
+    let pair = UnicycleController::new((learner, other), direction, 0.01, standstill).unwrap();
+    let looped = Loop::new(pair, references, slipping, start);
+    let second = |f: &f64| f.to_bits();
+    let learned = |pair: &UnicycleController<f64, (Clelc<_, _>, Learning<_, _, _, 2>)>| {
+        let (first, other) = pair.axes();
+        let other = other.compensator().network().consequents();
+        bits(first).into_iter().chain(other.iter().map(second)).collect()
+    };
+    looped.through_all_modes(plain, learned, 0);
 }
 
 #[test]
 fn through_a_mutable_reference() {
-    let mut clelc = learner(pendulum(0.8), Antecedents::flow);
+    let mut clelc = learner(pendulum(0.8), Flow::default());
     let (mut twin, rest) = (clelc, Reference::setpoint(1.0));
     let x = Measurement::new([0.0, 0.0]);
     for mode in [Active, Off, Frozen, Active] {
@@ -243,7 +259,7 @@ fn through_a_mutable_reference() {
 /// on from there by clamp(s, ±αh).
 #[test]
 fn a_thawed_integrator_goes_on_from_the_number_that_was_frozen() {
-    let clelc = learner(pendulum(0.8), Antecedents::flow);
+    let clelc = learner(pendulum(0.8), Flow::default());
     let mut looped = Loop::new(clelc, swing, gusty, [0.5, 0.0]);
     let mut u_n = 0.0;
     for mode in [Active, Frozen, Active, Off, Active] {

@@ -4,7 +4,7 @@ use brunovsky::{
     Scalar,
     controller::{Clelc, Controller, FeedbackLinearization, Gains},
     fuzzy::{FuzzyNetwork, Grid, Inputs},
-    learning::{NeuroFuzzy, SlidingMode},
+    learning::{Antecedents, Flow, NeuroFuzzy, SlidingMode},
     plant::{FeedbackLinearizable, Plant},
     simulation::{Sample, Simulation},
 };
@@ -29,18 +29,20 @@ pub fn flc<P: FeedbackLinearizable<N>, const N: usize>(
 }
 
 /// CLELC as most tests use it: three memberships over ±1 an input.
-pub type Learning<P, E, T, const N: usize> = Clelc<P, NeuroFuzzy<T, E, SlidingMode<T>, N, 3>, N>;
+pub type Learning<P, E, T, const N: usize, A = Flow<T>> =
+    Clelc<P, NeuroFuzzy<FuzzyNetwork<T, N, 3>, E, SlidingMode<T, A>>, N>;
 
 /// CLELC with all poles at −λ and `rule`, with ė_n from `error_rate`.
-pub fn learning<P, E, T: Scalar, const N: usize>(
+pub fn learning<P, E, T: Scalar, A, const N: usize>(
     model: P,
     lambda: f64,
     error_rate: E,
-    rule: SlidingMode<T>,
-) -> Learning<P, E, T, N>
+    rule: SlidingMode<T, A>,
+) -> Learning<P, E, T, N, A>
 where
     P: FeedbackLinearizable<N, Scalar = T>,
     E: brunovsky::learning::ErrorRate<T, N> + Clone,
+    A: Antecedents<FuzzyNetwork<T, N, 3>> + Clone,
     Inputs<N>: Grid,
 {
     let network = FuzzyNetwork::evenly_spaced([T::one(); N]).unwrap();

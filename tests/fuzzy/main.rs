@@ -22,5 +22,8 @@ macro_rules! for_every_shape {
 
 mod gaussian;
 mod grid;
+mod interval;
 mod network;
 mod support;
+mod triangular;
+mod triangular_network;

@@ -51,7 +51,7 @@ fn answers_after_an_outlier<T: Float, C: Clone, A: Debug, const M: usize>(
     }
 }
 
-type Learning<P, T, E> = Clelc<P, NeuroFuzzy<T, E, SlidingMode<T>, 2, 3>, 2>;
+type Learning<P, T, E> = Clelc<P, NeuroFuzzy<FuzzyNetwork<T, 2, 3>, E, SlidingMode<T>>, 2>;
 
 fn clelc<P, T: Float, E>(model: P, source: E) -> Learning<P, T, E>
 where

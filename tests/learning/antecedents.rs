@@ -3,7 +3,7 @@ use brunovsky::{
     Error, Scalar,
     fuzzy::{FuzzyNetwork, Gaussian},
     integrators::{Integrator, Rk4},
-    learning::{Antecedents, SlidingMode},
+    learning::{Antecedents, Fixed, Flow, SlidingMode},
     nalgebra::SVector,
 };
 use proptest::prelude::*;
@@ -28,22 +28,24 @@ in_both_precisions! {
 const FULL: f64 = 1e9;
 
 /// α = 1, so that the travel τ of a period is its length; both inputs at zero, M² from 0.25 to 5.0625.
-fn learner<T: Scalar>(antecedents: Antecedents<T>) -> Learner<T, 2, 3> {
+fn learner<T: Scalar, A: Antecedents<FuzzyNetwork<T, 2, 3>>>(
+    antecedents: A,
+) -> Learner<T, 2, 3, A> {
     let rows = [[(-1.5, 1.0), (-0.5, 1.0), (2.25, 1.0)], [(-1.0, 0.5), (0.75, 0.5), (3.0, 2.0)]];
     let memberships =
         rows.map(|row| row.map(|(c, width)| Gaussian::new(real(c), real(width)).unwrap()));
-    let rule = SlidingMode::new(T::one()).unwrap().with_antecedents(antecedents).unwrap();
+    let rule = SlidingMode::new(T::one()).unwrap().with_antecedents(antecedents);
     Learner { network: FuzzyNetwork::new(memberships), rule }
 }
 
-fn bounds<T: Scalar>(floor: f64, ceiling: f64) -> Antecedents<T> {
-    Antecedents::Flow { floor: real(floor), ceiling: real(ceiling) }
+fn bounds<T: Scalar>(floor: f64, ceiling: f64) -> Flow<T> {
+    Flow::new(real(floor), real(ceiling)).unwrap()
 }
 
 /// M·Ṁ = ας integrated over a period.
 fn every_squared_distance_moves_by_twice_the_travel<T: Scalar>() {
     proptest!(cases(500), |(s in -1.0..1.0_f64, dt in 0.001..0.1_f64, e1 in -9.0..9.0_f64, e2 in -9.0..9.0_f64)| {
-        let mut learner = learner::<T>(Antecedents::flow());
+        let mut learner = learner::<T, _>(Flow::default());
         learner.step(SVector::zeros(), T::zero(), T::one());
         let before = learner.squares();
         // The set-valued sign of s = ςαh is ς.
@@ -57,7 +59,7 @@ fn every_squared_distance_moves_by_twice_the_travel<T: Scalar>() {
 
 /// One number stands for the flow of an input, and no difference of M² ever sees it: the strengths are the same bits.
 fn the_firing_strengths_do_not_change_while_input_and_memberships_move<T: Scalar>() {
-    let mut learner = learner::<T>(bounds(0.0625, 9.0));
+    let mut learner = learner::<T, _>(bounds(0.0625, 9.0));
     learner.step(SVector::zeros(), T::zero(), T::one());
     let (before, mut rng) = (learner.strengths(), rng());
     for _ in 0..10_000 {
@@ -70,7 +72,7 @@ fn the_firing_strengths_do_not_change_while_input_and_memberships_move<T: Scalar
 
 fn the_flow_stops_at_both_bounds_and_comes_back<T: Scalar>() {
     let (floor, ceiling) = (0.01, 100.0);
-    let mut learner = learner::<T>(Antecedents::flow());
+    let mut learner = learner::<T, _>(Flow::default());
     learner.step(SVector::zeros(), T::zero(), T::one());
     let (strengths, before) = (learner.strengths(), learner.squares());
     let extreme = |squares: [T; 3]| {
@@ -125,7 +127,7 @@ fn the_flow_stops_at_both_bounds_and_comes_back<T: Scalar>() {
 
 /// M² of the first input is 0.25 to 5.0625. A ceiling of 4 below that neither pulls nor lets go farther.
 fn memberships_beyond_the_ceiling_stay_until_the_flow_leads_back<T: Scalar>() {
-    let mut learner = learner::<T>(bounds::<T>(0.1, 4.0));
+    let mut learner = learner::<T, _>(bounds::<T>(0.1, 4.0));
     let before = learner.squares();
     learner.step(SVector::zeros(), T::zero(), T::one());
     learner.step(SVector::zeros(), real(FULL), real(0.0625));
@@ -137,7 +139,7 @@ fn memberships_beyond_the_ceiling_stay_until_the_flow_leads_back<T: Scalar>() {
 }
 
 fn an_input_on_a_centre_holds_its_distances_and_only_travels<T: Scalar>() {
-    let mut learner = learner::<T>(Antecedents::flow());
+    let mut learner = learner::<T, _>(Flow::default());
     let strengths = learner.network.fire(&SVector::from([real(-0.5), T::zero()]));
     for (k, s) in [FULL, FULL, -FULL, FULL].into_iter().enumerate() {
         let e = SVector::from([real::<T>(k as f64 - 0.5), T::zero()]);
@@ -162,7 +164,7 @@ fn an_input_on_a_centre_holds_its_distances_and_only_travels<T: Scalar>() {
 fn an_input_near_a_centre_holds_below_the_floor<T: Scalar>() {
     for (centre, flows) in [(0.09, false), (-0.09, false), (0.11, true), (-0.11, true)] {
         for s in [FULL, -FULL] {
-            let mut learner = learner::<T>(Antecedents::flow());
+            let mut learner = learner::<T, _>(Flow::default());
             let row = [centre, 1.0, -2.0].map(|c| Gaussian::new(real(c), T::one()).unwrap());
             learner.network.set_memberships([row; 2]);
             learner.step(SVector::zeros(), real(s), real(0.125));
@@ -183,8 +185,7 @@ fn an_input_near_a_centre_holds_below_the_floor<T: Scalar>() {
 fn the_flow_stops_before_the_distance_leaves_the_range<T: Scalar>() {
     for (distance, s) in [(50.0, -FULL), (1e-18, FULL)] {
         let row = [[Gaussian::new(real(distance), real(distance / 50.0)).unwrap()]];
-        let rule =
-            SlidingMode::new(T::one()).unwrap().with_antecedents(bounds(0.01, 2600.0)).unwrap();
+        let rule = SlidingMode::new(T::one()).unwrap().with_antecedents(bounds(0.01, 2600.0));
         let mut learner = Learner { network: FuzzyNetwork::<T, 1, 1>::new(row), rule };
         for _ in 0..1000 {
             learner.step(SVector::zeros(), real(s), real(2.0));
@@ -211,8 +212,8 @@ fn no_flow_makes_a_membership_function_that_is_none<T: Scalar>() {
         (-end, [(end, one), (end, end)], real(0.01), real(100.0), FULL),
     ] {
         let row = row.map(|(centre, width)| Gaussian::new(centre, width).unwrap());
-        let antecedents = Antecedents::Flow { floor, ceiling };
-        let rule = SlidingMode::new(one).unwrap().with_antecedents(antecedents).unwrap();
+        let flow = Flow::new(floor, ceiling).unwrap();
+        let rule = SlidingMode::new(one).unwrap().with_antecedents(flow);
         let mut learner = Learner { network: FuzzyNetwork::<T, 1, 2>::new([row]), rule };
         for _ in 0..1000 {
             learner.step(SVector::from([e]), real(s), one);
@@ -229,7 +230,7 @@ fn no_flow_makes_a_membership_function_that_is_none<T: Scalar>() {
 
 /// The travelling network is an integrator, and still the network of its memberships and consequents.
 fn what_is_learned_elsewhere_is_seen_where_the_network_travels<T: Scalar>() {
-    let mut learner = learner::<T>(Antecedents::flow());
+    let mut learner = learner::<T, _>(Flow::default());
     let e = SVector::from([0.25, -0.5].map(real));
     learner.step(e, real(0.1), real(0.1));
     let elsewhere = learner.network.fire(&SVector::from([-1.0, 0.5].map(real)));
@@ -241,7 +242,7 @@ fn what_is_learned_elsewhere_is_seen_where_the_network_travels<T: Scalar>() {
 }
 
 fn fixed_memberships_stay_bit_for_bit<T: Scalar>() {
-    let mut learner = learner::<T>(Antecedents::Fixed);
+    let mut learner = learner::<T, _>(Fixed);
     let before = learner.network.memberships();
     proptest!(cases(200), |(e1 in -1e6..1e6_f64, e2 in -1.0..1.0_f64, s in -9.0..9.0_f64)| {
         let mut learner = learner;
@@ -253,8 +254,7 @@ fn fixed_memberships_stay_bit_for_bit<T: Scalar>() {
 }
 
 fn bounds_out_of_order_or_range_are_refused<T: Scalar>() {
-    let rule = SlidingMode::new(T::one()).unwrap();
-    let attempt = |floor, ceiling| rule.with_antecedents(bounds(floor, ceiling)).unwrap_err();
+    let attempt = |floor, ceiling| Flow::<T>::new(real(floor), real(ceiling)).unwrap_err();
     for bad in [0.0, -0.5] {
         assert_eq!(attempt(bad, 1.0), Error::NotPositive { name: "floor", value: bad });
         assert_eq!(attempt(1.0, bad), Error::NotPositive { name: "ceiling", value: bad });

@@ -3,8 +3,8 @@ use brunovsky::{
     Error, Scalar,
     fuzzy::FuzzyNetwork,
     learning::{
-        AdaptationRule, Antecedents, Bounded, ClosedLoop, Compensation, Compensator,
-        GradientDescent, LearningMode, Measured, NeuroFuzzy, SlidingMode,
+        AdaptationRule, Bounded, ClosedLoop, Compensation, Compensator, Fixed, GradientDescent,
+        LearningMode, Measured, NeuroFuzzy, SlidingMode,
     },
     nalgebra::SVector,
 };
@@ -22,7 +22,7 @@ in_both_precisions! {
 }
 
 /// The output of `rule` after each of the sliding variables `s`, at a fixed input, with periods of 1/4 s.
-fn outputs<T: Scalar>(mut rule: impl AdaptationRule<T, 2, 3>, s: &[f64]) -> Vec<T> {
+fn outputs<T: Scalar>(mut rule: impl AdaptationRule<FuzzyNetwork<T, 2, 3>>, s: &[f64]) -> Vec<T> {
     let mut network = FuzzyNetwork::evenly_spaced([T::one(), real(2.0)]).unwrap();
     let e = SVector::from([0.3, -0.7].map(real));
     let mut sample = |s: &f64| {
@@ -123,7 +123,7 @@ fn an_outlier_beyond_the_range_of_the_scalar_is_not_learned_from<T: Scalar>() {
 
 /// Learning at one input moves the output at others too, where nothing clamps it; at a frozen one nothing ever would. U holds to the last bit.
 fn the_bound_holds_at_every_input_and_in_every_mode<T: Scalar>() {
-    let rule = SlidingMode::new(real(4.0)).unwrap().with_antecedents(Antecedents::Fixed).unwrap();
+    let rule = SlidingMode::new(real(4.0)).unwrap().with_antecedents(Fixed);
     let network = FuzzyNetwork::<T, 2, 3>::evenly_spaced([T::one(); 2]).unwrap();
     let bounded = Bounded::new(rule, real(0.3)).unwrap();
     let mut learner = NeuroFuzzy::new(network, Measured, bounded);

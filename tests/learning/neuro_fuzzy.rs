@@ -3,8 +3,8 @@ use brunovsky::{
     Error, Scalar,
     fuzzy::FuzzyNetwork,
     learning::{
-        Antecedents, BackwardDifference, ClosedLoop, Compensation, Compensator, GradientDescent,
-        Measured, NeuroFuzzy, NullRule, SlidingMode,
+        Antecedents, BackwardDifference, ClosedLoop, Compensation, Compensator, Fixed, Flow,
+        GradientDescent, Measured, NeuroFuzzy, NullRule, SlidingMode,
     },
     nalgebra::SVector,
 };
@@ -22,14 +22,14 @@ in_both_precisions! {
     an_output_beyond_the_range_of_the_scalar_is_refused,
 }
 
-type Learning<T> = NeuroFuzzy<T, Measured, SlidingMode<T>, 2, 3>;
+type Learning<T, A> = NeuroFuzzy<FuzzyNetwork<T, 2, 3>, Measured, SlidingMode<T, A>>;
 
 fn network<T: Scalar>() -> FuzzyNetwork<T, 2, 3> {
     FuzzyNetwork::evenly_spaced([real(1.0), real(2.0)]).unwrap()
 }
 
-fn learning<T: Scalar>(antecedents: Antecedents<T>) -> Learning<T> {
-    let rule = SlidingMode::new(real(4.0)).unwrap().with_antecedents(antecedents).unwrap();
+fn learning<T: Scalar, A: Antecedents<FuzzyNetwork<T, 2, 3>>>(antecedents: A) -> Learning<T, A> {
+    let rule = SlidingMode::new(real(4.0)).unwrap().with_antecedents(antecedents);
     NeuroFuzzy::new(network(), Measured, rule)
 }
 
@@ -41,18 +41,21 @@ fn sample<T: Scalar>(e: [f64; 2], delta: f64) -> ClosedLoop<T, 2> {
 
 /// follow, fire, s, adapt, and the output with the firing strengths found before.
 fn it_is_its_parts_called_in_order<T: Scalar>() {
-    for antecedents in [Antecedents::Fixed, Antecedents::flow()] {
-        let mut whole = learning::<T>(antecedents);
-        let rule = SlidingMode::new(real(4.0)).unwrap().with_antecedents(antecedents).unwrap();
-        let (mut parts, mut rng) = (Learner { network: network::<T>(), rule }, rng());
-        for _ in 0..200 {
-            let e = [rng.random_range(-3.0..3.0), rng.random_range(-3.0..3.0)];
-            let (next, Compensation { u_n, s }) =
-                whole.advanced(&sample(e, rng.random_range(-3.0..3.0)), real(0.25)).unwrap();
-            assert_eq!(parts.step(SVector::from(e.map(real)), s, real(0.25)), u_n);
-            assert_eq!(next.network(), &parts.network);
-            whole = next;
-        }
+    is_its_parts::<T, _>(Fixed);
+    is_its_parts::<T, _>(Flow::default());
+}
+
+fn is_its_parts<T: Scalar, A: Antecedents<FuzzyNetwork<T, 2, 3>> + Copy>(antecedents: A) {
+    let mut whole = learning::<T, A>(antecedents);
+    let rule = SlidingMode::new(real(4.0)).unwrap().with_antecedents(antecedents);
+    let (mut parts, mut rng) = (Learner { network: network::<T>(), rule }, rng());
+    for _ in 0..200 {
+        let e = [rng.random_range(-3.0..3.0), rng.random_range(-3.0..3.0)];
+        let (next, Compensation { u_n, s }) =
+            whole.advanced(&sample(e, rng.random_range(-3.0..3.0)), real(0.25)).unwrap();
+        assert_eq!(parts.step(SVector::from(e.map(real)), s, real(0.25)), u_n);
+        assert_eq!(next.network(), &parts.network);
+        whole = next;
     }
 }
 
@@ -60,7 +63,7 @@ fn it_is_its_parts_called_in_order<T: Scalar>() {
 /// u_n = −Δ, and s follows one period behind.
 fn it_learns_a_constant_uncertainty_in_finite_time<T: Scalar>() {
     proptest!(cases(100), |(delta in -20.0..20.0_f64, e1 in -9.0..9.0_f64, e2 in -9.0..9.0_f64)| {
-        let mut learner = learning::<T>(Antecedents::flow());
+        let mut learner = learning(Flow::<T>::default());
         let mut left = real::<T>(delta);
         for k in 0..25 {
             // The input moves all the time, which flowing antecedents do not mind.
@@ -76,7 +79,7 @@ fn it_learns_a_constant_uncertainty_in_finite_time<T: Scalar>() {
 }
 
 fn without_uncertainty_it_learns_nothing<T: Scalar>() {
-    let mut learner = learning::<T>(Antecedents::flow());
+    let mut learner = learning(Flow::<T>::default());
     for k in 0..100 {
         let (next, compensation) =
             learner.advanced(&sample([0.1 * f64::from(k), -0.2], 0.0), real(0.25)).unwrap();
@@ -138,19 +141,18 @@ fn a_sample_that_is_not_finite_is_refused<T: Scalar>() {
             ClosedLoop { rate: Some(bad), ..good },
         ];
         for at in of_s {
-            for antecedents in [Antecedents::Fixed, Antecedents::flow()] {
-                assert_eq!(refused(&learning(antecedents), &at), Some("s"));
-            }
+            assert_eq!(refused(&learning(Fixed), &at), Some("s"));
+            assert_eq!(refused(&learning(Flow::default()), &at), Some("s"));
             assert_eq!(refused(&gradient, &at), Some("s"));
         }
         for i in 0..2 {
             let mut at = good;
             at.e[i] = bad;
-            assert_eq!(refused(&learning(Antecedents::flow()), &at), Some("e"));
+            assert_eq!(refused(&learning(Flow::default()), &at), Some("e"));
         }
     }
     let blind = ClosedLoop { rate: None, ..sample::<T>([0.3, -0.4], 1.0) };
-    let missing = learning(Antecedents::flow()).advanced(&blind, T::one()).unwrap_err();
+    let missing = learning(Flow::default()).advanced(&blind, T::one()).unwrap_err();
     assert_eq!(missing, Error::Missing { name: "measured rate of x_n" });
 }
 
@@ -175,7 +177,7 @@ fn an_error_that_is_not_finite_is_refused_with_fixed_antecedents() {
     for bad in NOT_FINITE {
         for e in [[bad, 0.0], [0.0, bad]] {
             let at = sample::<f64>(e, 1.0);
-            assert_eq!(refused(&learning(Antecedents::Fixed), &at), Some("e"), "{e:?}");
+            assert_eq!(refused(&learning(Fixed), &at), Some("e"), "{e:?}");
         }
     }
 }
@@ -185,7 +187,7 @@ fn an_error_that_is_not_finite_is_refused_with_fixed_antecedents() {
 #[test]
 fn a_network_put_in_place_of_the_old_one_stays_where_it_was_put() {
     let at = ClosedLoop { rate: Some(-3.0), ..sample::<f64>([5.0, 5.0], 0.0) };
-    let (mut learner, _) = learning(Antecedents::flow()).advanced(&at, 0.25).unwrap();
+    let (mut learner, _) = learning(Flow::default()).advanced(&at, 0.25).unwrap();
     let put = network::<f64>();
     *learner.network_mut() = put;
     assert_eq!(learner.network().memberships(), put.memberships());

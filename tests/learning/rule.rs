@@ -20,7 +20,7 @@ fn network<T: Scalar>() -> FuzzyNetwork<T, 2, 3> {
 
 /// One sample of `rule`.
 fn sampled<T: Scalar>(
-    rule: &mut impl AdaptationRule<T, 2, 3>,
+    rule: &mut impl AdaptationRule<FuzzyNetwork<T, 2, 3>>,
     s: f64,
     learn: bool,
 ) -> FuzzyNetwork<T, 2, 3> {

@@ -3,7 +3,9 @@
 use brunovsky::{
     Scalar,
     fuzzy::{FuzzyNetwork, Gaussian, Grid, Inputs},
-    learning::{AdaptationRule, ClosedLoop, LearningMode, SlidingMode, Switching},
+    learning::{
+        AdaptationRule, Antecedents, ClosedLoop, Flow, LearningMode, SlidingMode, Switching,
+    },
     nalgebra::SVector,
 };
 use proptest::{
@@ -65,17 +67,18 @@ pub fn at_error<T: Scalar>(e_n: T) -> ClosedLoop<T, 2> {
 
 /// A network and its rule, run by hand through the public traits.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Learner<T: Scalar, const I: usize, const K: usize>
+pub struct Learner<T: Scalar, const I: usize, const K: usize, A = Flow<T>>
 where
     Inputs<I>: Grid,
 {
     pub network: FuzzyNetwork<T, I, K>,
-    pub rule: SlidingMode<T>,
+    pub rule: SlidingMode<T, A>,
 }
 
-impl<T: Scalar, const I: usize, const K: usize> Learner<T, I, K>
+impl<T: Scalar, const I: usize, const K: usize, A> Learner<T, I, K, A>
 where
     Inputs<I>: Grid,
+    A: Antecedents<FuzzyNetwork<T, I, K>> + Copy,
 {
     /// One sample at the input `e` with sliding variable `s`: the output after learning.
     pub fn step(&mut self, e: SVector<T, I>, s: T, dt: T) -> T {

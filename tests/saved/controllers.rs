@@ -12,7 +12,7 @@ use brunovsky::{
     },
     fuzzy::FuzzyNetwork,
     learning::{
-        AdaptationRule, Antecedents, Bounded, Compensator, Conditional, ErrorRate, GradientDescent,
+        AdaptationRule, Bounded, Compensator, Conditional, ErrorRate, Fixed, GradientDescent,
         Guarded, LearningMode, Measured, ModelAided, NeuroFuzzy, NullCompensator, NullRule,
         OfState, Redundant, SlidingMode, Switching, Watchdog,
     },
@@ -57,15 +57,15 @@ fn rule<T: Number>() -> SlidingMode<T> {
     SlidingMode::new(num(7.0)).unwrap()
 }
 
-fn neuro_fuzzy<T: Number, E: ErrorRate<T, 2>, R: AdaptationRule<T, 2, 3>>(
+fn neuro_fuzzy<T: Number, E: ErrorRate<T, 2>, R: AdaptationRule<FuzzyNetwork<T, 2, 3>>>(
     error_rate: E,
     rule: R,
-) -> NeuroFuzzy<T, E, R, 2, 3> {
+) -> NeuroFuzzy<FuzzyNetwork<T, 2, 3>, E, R> {
     let network = FuzzyNetwork::evenly_spaced([num(1.0), num(2.0)]).unwrap();
     NeuroFuzzy::new(network, error_rate, rule)
 }
 
-fn learner<T: Number>() -> NeuroFuzzy<T, ModelAided<T>, SlidingMode<T>, 2, 3> {
+fn learner<T: Number>() -> NeuroFuzzy<FuzzyNetwork<T, 2, 3>, ModelAided<T>, SlidingMode<T>> {
     neuro_fuzzy(ModelAided::new(), rule())
 }
 
@@ -151,8 +151,7 @@ fn clelc_goes_on_with_every_rule<T: Number>() {
     ] {
         clelc_goes_on::<T, _>(neuro_fuzzy(source(), rule().with_switching(switching).unwrap()));
     }
-    let fixed = rule().with_antecedents(Antecedents::Fixed).unwrap();
-    clelc_goes_on::<T, _>(neuro_fuzzy(source(), fixed));
+    clelc_goes_on::<T, _>(neuro_fuzzy(source(), rule().with_antecedents(Fixed)));
     clelc_goes_on::<T, _>(neuro_fuzzy(source(), GradientDescent::new(num(0.7)).unwrap()));
     let bounded = Bounded::new(rule(), num(1.5)).unwrap();
     clelc_goes_on::<T, _>(neuro_fuzzy(source(), bounded));

@@ -10,8 +10,8 @@ use brunovsky::{
     fuzzy::{FuzzyNetwork, Gaussian},
     integrators::{Adaptive, DormandPrince, Tolerance},
     learning::{
-        Advisor, Antecedents, Bounded, Conditional, GradientDescent, Guarded, ModelAided,
-        NeuroFuzzy, Redundant, SlidingMode, Switching, Watchdog,
+        Advisor, Bounded, Conditional, GradientDescent, Guarded, ModelAided, NeuroFuzzy, Redundant,
+        SlidingMode, Switching, Watchdog,
     },
     plant::{
         BallAndBeam, CartPole, CartPoleOutput, Duffing, FlexibleJoint, IntegratorChain, Linearized,
@@ -39,8 +39,11 @@ fn refusal<S: Serialize + DeserializeOwned>(saved: &S, pointer: &str, value: Val
     }
 }
 
-type Loop =
-    Clelc<IntegratorChain<f64, 2>, NeuroFuzzy<f64, ModelAided<f64>, SlidingMode<f64>, 2, 3>, 2>;
+type Loop = Clelc<
+    IntegratorChain<f64, 2>,
+    NeuroFuzzy<FuzzyNetwork<f64, 2, 3>, ModelAided<f64>, SlidingMode<f64>>,
+    2,
+>;
 
 /// A loop that has learned for some samples.
 fn learned() -> Loop {
@@ -67,7 +70,7 @@ fn parameters_out_of_range_are_named() {
     let delta = json!({ "Implicit": { "delta": -1.0 } });
     assert_eq!(refusal(&rule, "/switching", delta), "delta = -1 must not be negative");
     assert_eq!(
-        refusal(&rule, "/antecedents/Flow/floor", json!(100.0)),
+        refusal(&rule, "/antecedents/floor", json!(100.0)),
         "floor = 100 must be less than 100"
     );
     let certificate = rule.certificate(0.01, 1.0).unwrap();
@@ -102,14 +105,11 @@ fn parameters_out_of_range_are_named() {
 }
 
 #[test]
-fn the_switching_and_the_antecedents_are_checked_where_they_are_used() {
-    // On their own they are plain values, as in Rust.
+fn the_switching_is_checked_where_it_is_used() {
+    // On its own it is a plain value, as in Rust.
     let switching: Switching<f64> =
         serde_json::from_value(json!({ "Explicit": { "delta": 0.0 } })).unwrap();
     assert!(SlidingMode::new(1.0).unwrap().with_switching(switching).is_err());
-    let antecedents: Antecedents<f64> =
-        serde_json::from_value(json!({ "Flow": { "floor": 2.0, "ceiling": 1.0 } })).unwrap();
-    assert!(SlidingMode::new(1.0).unwrap().with_antecedents(antecedents).is_err());
 }
 
 #[test]
@@ -348,8 +348,8 @@ fn fields_have_to_be_there_and_no_others() {
     // Not even where a type promises nothing about its values.
     let link = r#"{ "mass": 1, "length": 1, "centre": 1, "inertia": 1, "colour": 1 }"#;
     assert!(serde_json::from_str::<Link<f64>>(link).is_err());
-    let flow = r#"{ "Flow": { "floor": 1, "ceiling": 2, "roof": 3 } }"#;
-    assert!(serde_json::from_str::<Antecedents<f64>>(flow).is_err());
+    let switching = r#"{ "Implicit": { "delta": 1, "layer": 3 } }"#;
+    assert!(serde_json::from_str::<Switching<f64>>(switching).is_err());
     let both = r#"{ "first": { "last": 1 }, "second": { "last": 1 }, "third": 1 }"#;
     type Both = Redundant<BackwardDifference<f64>, BackwardDifference<f64>>;
     assert!(serde_json::from_str::<Both>(both).is_err());

@@ -15,7 +15,7 @@ use serde_json::{Value, json};
 use crate::support::{measured, reference};
 
 type Source = Redundant<Measured, FilteredDifference<f64>>;
-type Learner = NeuroFuzzy<f64, Source, Bounded<SlidingMode<f64>, f64>, 2, 3>;
+type Learner = NeuroFuzzy<FuzzyNetwork<f64, 2, 3>, Source, Bounded<SlidingMode<f64>, f64>>;
 type Base = Clelc<Pendulum<f64>, Guarded<Learner, f64>, 2>;
 type Whole = Limited<Base, (Saturation<f64, 1>, RateLimit<f64, 1>), f64, 1>;
 

@@ -1,5 +1,5 @@
 use brunovsky::{
-    fuzzy::{Grid, Inputs},
+    fuzzy::{Grid, Inputs, Over},
     learning::{AdaptationRule, ErrorRate},
     plant::IntegratorChain,
     prelude::*,
@@ -9,7 +9,7 @@ use crate::Real;
 
 /// CLELC of a chain of order N, with K memberships an input.
 pub type Chain<E, R, const N: usize, const K: usize> =
-    Clelc<IntegratorChain<Real, N>, NeuroFuzzy<Real, E, R, N, K>, N>;
+    Clelc<IntegratorChain<Real, N>, NeuroFuzzy<FuzzyNetwork<Real, N, K>, E, R>, N>;
 
 /// The feedback of a chain of order N.
 pub fn feedback<const N: usize>()
@@ -24,9 +24,22 @@ pub fn chain<E, R, const N: usize, const K: usize>(
 ) -> Result<Chain<E, R, N, K>, Error>
 where
     E: ErrorRate<Real, N> + Clone,
-    R: AdaptationRule<Real, N, K> + Clone,
+    R: AdaptationRule<FuzzyNetwork<Real, N, K>> + Clone,
     Inputs<N>: Grid,
 {
-    let network = FuzzyNetwork::evenly_spaced([2.0; N])?;
+    trained(FuzzyNetwork::evenly_spaced([2.0; N])?, error_rate, rule)
+}
+
+/// CLELC of a chain of order N with `network`.
+pub fn trained<W, E, R, const N: usize>(
+    network: W,
+    error_rate: E,
+    rule: R,
+) -> Result<Clelc<IntegratorChain<Real, N>, NeuroFuzzy<W, E, R>, N>, Error>
+where
+    W: Over<Real, N>,
+    E: ErrorRate<Real, N> + Clone,
+    R: AdaptationRule<W> + Clone,
+{
     Ok(Clelc::new(feedback()?, NeuroFuzzy::new(network, error_rate, rule)))
 }

@@ -12,7 +12,7 @@ mod robot;
 mod text;
 mod third_order;
 
-pub use chain::{Chain, chain, feedback};
+pub use chain::{Chain, chain, feedback, trained};
 pub use robot::Robot;
 pub use text::hexadecimal;
 pub use third_order::ThirdOrderLoop;

@@ -5,7 +5,7 @@ use crate::{Real, Study};
 /// The simulation study: λ = 3, α = 25, h = 0.01 s, set-valued sign, backward difference; x₁, x₂, x₃ ↦ u, u_n, s.
 pub struct ThirdOrderLoop(Clelc<ThirdOrder<Real>, Learner, 3>);
 
-type Learner = NeuroFuzzy<Real, BackwardDifference<Real>, SlidingMode<Real>, 3, 3>;
+type Learner = NeuroFuzzy<FuzzyNetwork<Real, 3, 3>, BackwardDifference<Real>, SlidingMode<Real>>;
 
 impl Study for ThirdOrderLoop {
     type Row = [Real; 3];

@@ -97,7 +97,7 @@ fn clelc<E, R>(
 ) -> Result<impl ChainControllers<f64, 2, 2, Commands = Axes> + Copy + Send + Sync, Error>
 where
     E: ErrorRate<f64, 2> + Copy + Send + Sync,
-    R: AdaptationRule<f64, 2, 3> + Copy + Send + Sync,
+    R: AdaptationRule<FuzzyNetwork<f64, 2, 3>> + Copy + Send + Sync,
 {
     let network = FuzzyNetwork::<f64, 2, 3>::evenly_spaced([2.0 * OFFSET, SPEED])?;
     let axis = axis(NeuroFuzzy::new(network, error_rate, rule))?;

@@ -40,7 +40,7 @@ type Sample = simulation::Sample<f64, Reference<f64, 3>, ClelcCommand<f64>, 3, 1
 /// One run of the study. Feedback linearization control is CLELC with a network that never learns: its s is then on record too.
 fn simulate(
     error_rate: impl ErrorRate<f64, 3> + Clone,
-    rule: impl AdaptationRule<f64, 3, 3> + Clone,
+    rule: impl AdaptationRule<FuzzyNetwork<f64, 3, 3>> + Clone,
     period: f64,
 ) -> Result<Vec<Sample>, Error> {
     let model = ThirdOrder::new();

@@ -1,6 +1,6 @@
 //! FLC beside CLELC, and CLELC in all its variants.
 
-use brunovsky::prelude::*;
+use brunovsky::{learning::Fixed, prelude::*};
 use comfy_table::Table;
 
 use super::{
@@ -58,7 +58,7 @@ pub fn comparison(flc: &[Sample], clelc: &[Sample]) -> Result<Table, Error> {
 pub fn variants(rule: SlidingMode<f64>) -> Result<Table, Error> {
     let explicit = rule.with_switching(Switching::Explicit { delta: DELTA })?;
     let implicit = rule.with_switching(Switching::Implicit { delta: DELTA })?;
-    let fixed = rule.with_antecedents(Antecedents::Fixed)?;
+    let fixed = rule.with_antecedents(Fixed);
     let descent = GradientDescent::new(ALPHA)?;
     let difference = BackwardDifference::new();
     let filtered = FilteredDifference::new(2.0 * PERIOD)?;

@@ -1,11 +1,13 @@
 mod conditional;
 mod differentiated;
+mod feedback_error;
 mod measured;
 mod model_aided;
 mod of_state;
 mod redundant;
 
 pub use conditional::Conditional;
+pub use feedback_error::FeedbackError;
 pub use measured::Measured;
 pub use model_aided::ModelAided;
 pub use of_state::OfState;
@@ -27,6 +29,7 @@ use crate::differentiator::{BackwardDifference, Differentiator};
 /// | any [`Differentiator`], such as [`BackwardDifference`] | nothing | its rate of e_n | its own, dt/2 | 0 |
 /// | [`OfState`] around one | ṙ_n | u_f − its rate of x_n | its own | u_f |
 /// | [`ModelAided`] through one | the model | −u_b − u_n − Δ̂, Δ̂ its rate of what the model leaves of x_n | its own, dt/2 by default | −u_b − u_n |
+/// | [`FeedbackError`] | nothing | 0, so that s = u_b | – | 0 |
 ///
 /// Which differentiator at which noise is told, with numbers, in [`differentiator`](crate::differentiator).
 ///

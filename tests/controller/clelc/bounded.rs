@@ -21,17 +21,19 @@ const OUTLIER: u32 = 1000;
 
 type Chain = IntegratorChain<f64, 2>;
 
-fn clelc<E, R>(error_rate: E, rule: R) -> Clelc<Chain, NeuroFuzzy<f64, E, R, 2, 3>, 2>
+fn clelc<E, R>(error_rate: E, rule: R) -> Clelc<Chain, NeuroFuzzy<FuzzyNetwork<f64, 2, 3>, E, R>, 2>
 where
     E: ErrorRate<f64, 2> + Clone,
-    R: AdaptationRule<f64, 2, 3> + Clone,
+    R: AdaptationRule<FuzzyNetwork<f64, 2, 3>> + Clone,
 {
     let network = FuzzyNetwork::evenly_spaced([1.0, 1.0]).unwrap();
     Clelc::new(flc(Chain::new(), 2.0), NeuroFuzzy::new(network, error_rate, rule))
 }
 
 /// A double integrator under Δ = 1, with an outlier of the sensor of ẋ_n.
-fn with_an_outlier<R: AdaptationRule<f64, 2, 3> + Clone>(rule: R) -> Vec<ClelcCommand<f64>> {
+fn with_an_outlier<R: AdaptationRule<FuzzyNetwork<f64, 2, 3>> + Clone>(
+    rule: R,
+) -> Vec<ClelcCommand<f64>> {
     let plant = Uncertain::matched(Chain::new(), |_: f64, _: &_, _: &_| 1.0);
     let outlier = [OUTLIER, OUTLIER + 1];
     let controller = Faulty::new(clelc(Measured, rule), |_| 1e6, outlier);

@@ -5,8 +5,8 @@ use brunovsky::{
     controller::{Clelc, Controller, FeedbackLinearization, Gains, Measurement, Reference},
     fuzzy::FuzzyNetwork,
     learning::{
-        Antecedents, BackwardDifference, ErrorRate, FilteredDifference, Measured, ModelAided,
-        NeuroFuzzy, SlidingMode,
+        Antecedents, BackwardDifference, ErrorRate, FilteredDifference, Fixed, Flow, Measured,
+        ModelAided, NeuroFuzzy, SlidingMode,
     },
     plant::FeedbackLinearizable,
 };
@@ -31,13 +31,13 @@ impl FeedbackLinearizable<2> for Fragile {
     }
 }
 
-fn controller<E: ErrorRate<f64, 2> + Clone>(
-    error_rate: E,
-    alpha: f64,
-    antecedents: Antecedents<f64>,
-) -> Learning<Fragile, E, f64, 2> {
+fn controller<E, A>(error_rate: E, alpha: f64, antecedents: A) -> Learning<Fragile, E, f64, 2, A>
+where
+    E: ErrorRate<f64, 2> + Clone,
+    A: Antecedents<FuzzyNetwork<f64, 2, 3>> + Clone,
+{
     let base = FeedbackLinearization::new(Fragile, Gains::new([2.0, 3.0]).unwrap());
-    let rule = SlidingMode::new(alpha).unwrap().with_antecedents(antecedents).unwrap();
+    let rule = SlidingMode::new(alpha).unwrap().with_antecedents(antecedents);
     let network = FuzzyNetwork::evenly_spaced([1.0, 2.0]).unwrap();
     Clelc::new(base, NeuroFuzzy::new(network, error_rate, rule))
 }
@@ -96,12 +96,13 @@ fn name(error: Error) -> &'static str {
 }
 
 /// Two controllers see the same good calls; one of them sees bad ones in between.
-fn is_unmoved_by_bad_calls<E>(
+fn is_unmoved_by_bad_calls<E, A>(
     error_rate: E,
-    antecedents: Antecedents<f64>,
+    antecedents: A,
     calls: &[(Call, Option<(usize, f64)>)],
 ) where
     E: ErrorRate<f64, 2> + Clone + PartialEq + core::fmt::Debug,
+    A: Antecedents<FuzzyNetwork<f64, 2, 3>> + Clone + PartialEq + core::fmt::Debug,
 {
     let mut tried = controller(error_rate, 5.0, antecedents);
     let mut spared = tried.clone();
@@ -112,7 +113,7 @@ fn is_unmoved_by_bad_calls<E>(
             assert_eq!(name(error), expected);
             assert_eq!(tried, spared);
         }
-        let update = |controller: &mut Learning<Fragile, E, f64, 2>| {
+        let update = |controller: &mut Learning<Fragile, E, f64, 2, A>| {
             controller.update(&good.measurement, &good.reference, good.dt).unwrap()
         };
         assert_eq!(update(&mut tried), update(&mut spared));
@@ -129,12 +130,15 @@ proptest! {
     fn a_bad_call_names_what_was_bad_and_leaves_no_trace(
         calls in prop::collection::vec((good_call(), prop::option::of(bad())), 1..20),
     ) {
-        for antecedents in [Antecedents::Fixed, Antecedents::flow()] {
-            is_unmoved_by_bad_calls(Measured, antecedents, &calls);
-            is_unmoved_by_bad_calls(BackwardDifference::new(), antecedents, &calls);
-            is_unmoved_by_bad_calls(FilteredDifference::new(0.1).unwrap(), antecedents, &calls);
-            is_unmoved_by_bad_calls(ModelAided::new(), antecedents, &calls);
+        macro_rules! with {
+            ($($antecedents:expr),+) => {$(
+                is_unmoved_by_bad_calls(Measured, $antecedents, &calls);
+                is_unmoved_by_bad_calls(BackwardDifference::new(), $antecedents, &calls);
+                is_unmoved_by_bad_calls(FilteredDifference::new(0.1).unwrap(), $antecedents, &calls);
+                is_unmoved_by_bad_calls(ModelAided::new(), $antecedents, &calls);
+            )+};
         }
+        with!(Fixed, Flow::default());
     }
 }
 
@@ -153,13 +157,13 @@ where
 
 #[test]
 fn a_rate_that_is_not_measured_is_missing() {
-    let error = refused(controller(Measured, 5.0, Antecedents::flow()), [0.0, 1.0], 0.1);
+    let error = refused(controller(Measured, 5.0, Flow::default()), [0.0, 1.0], 0.1);
     assert_eq!(error, Error::Missing { name: "measured rate of x_n" });
 }
 
 #[test]
 fn a_difference_quotient_beyond_the_range_is_named() {
-    let (flow, filter) = (Antecedents::flow(), FilteredDifference::new(0.0).unwrap());
+    let (flow, filter) = (Flow::default(), FilteredDifference::new(0.0).unwrap());
     // −2/1e-310; in the last one the difference alone is beyond the range, 1/1e-310.
     for (error, expected) in [
         (refused(controller(BackwardDifference::new(), 5.0, flow), [0.0, 2.0], 1e-310), "y/dt"),
@@ -180,10 +184,7 @@ fn a_difference_quotient_beyond_the_range_is_named() {
 #[test]
 fn a_learned_term_beyond_the_range_is_an_error_of_u_n() {
     // The rule may move u_n by α·dt, which is beyond the range of f64.
-    let error = refused(
-        controller(BackwardDifference::new(), 1e300, Antecedents::flow()),
-        [0.0, 1.5],
-        1e10,
-    );
+    let error =
+        refused(controller(BackwardDifference::new(), 1e300, Flow::default()), [0.0, 1.5], 1e10);
     assert!(matches!(error, Error::NonFinite { name: "u_n", .. }), "{error}");
 }

@@ -29,7 +29,7 @@ const X0: [f64; 2] = [1.0, -1.0];
 const FREE: Spring =
     Spring { stiffness: 0.0, damping: 0.0, gain: 1.0, since: f64::NEG_INFINITY, delta: DELTA };
 
-type Learner<E> = NeuroFuzzy<f64, E, SlidingMode<f64>, 2, 3>;
+type Learner<E> = NeuroFuzzy<FuzzyNetwork<f64, 2, 3>, E, SlidingMode<f64>>;
 
 fn learner<E: ErrorRate<f64, 2>>(error_rate: E, switching: Switching<f64>) -> Learner<E> {
     let network = FuzzyNetwork::evenly_spaced([1.0, 1.0]).unwrap();

@@ -5,6 +5,7 @@ mod derivatives;
 mod equivalence;
 mod failures;
 mod faults;
+mod feedback_error;
 mod gain_margin;
 mod guarded;
 mod learned;

@@ -6,8 +6,8 @@ use brunovsky::{
     controller::{ClelcCommand, Reference},
     fuzzy::{FuzzyNetwork, Grid, Inputs},
     learning::{
-        Antecedents, BackwardDifference, ErrorRate, FilteredDifference, Measured, ModelAided,
-        NeuroFuzzy, SlidingMode, Switching,
+        Antecedents, BackwardDifference, ErrorRate, FilteredDifference, Fixed, Measured,
+        ModelAided, NeuroFuzzy, SlidingMode, Switching,
     },
     plant::{FeedbackLinearizable, IntegratorChain, Pendulum, Uncertain, VanDerPol},
     simulation::Sample,
@@ -29,10 +29,11 @@ fn signals<T: Scalar, const N: usize>(
 }
 
 /// An odd plant and a network symmetric about 0 do not know left from right.
-fn is_mirrored<P, E, T: Scalar>(model: P, error_rate: E, rule: SlidingMode<T>)
+fn is_mirrored<P, E, T: Scalar, A>(model: P, error_rate: E, rule: SlidingMode<T, A>)
 where
     P: FeedbackLinearizable<2, Scalar = T> + Copy,
     E: ErrorRate<T, 2> + Clone,
+    A: Antecedents<FuzzyNetwork<T, 2, 3>> + Copy,
 {
     let run_with_sign = |sign: T| {
         let plant = Uncertain::matched(model, move |t: T, x: &SVector<T, 2>, _: &_| {
@@ -55,17 +56,19 @@ where
 }
 
 fn odd_plants_are_mirrored<T: Scalar>() {
-    let flowing = SlidingMode::new(num(15.0)).unwrap();
-    let fixed = flowing.with_antecedents(Antecedents::Fixed).unwrap();
-    let smooth = flowing.with_switching(Switching::Implicit { delta: num(0.1) }).unwrap();
+    let flowing = SlidingMode::new(num::<T>(15.0)).unwrap();
+    are_mirrored(flowing);
+    are_mirrored(flowing.with_antecedents(Fixed));
+    are_mirrored(flowing.with_switching(Switching::Implicit { delta: num(0.1) }).unwrap());
+}
+
+fn are_mirrored<T: Scalar, A: Antecedents<FuzzyNetwork<T, 2, 3>> + Copy>(rule: SlidingMode<T, A>) {
     let van_der_pol = VanDerPol::new(T::one()).unwrap();
     let pendulum = Pendulum::new(num(0.8), num(0.5), num(0.1), num(9.81)).unwrap();
-    for rule in [flowing, fixed, smooth] {
-        is_mirrored(van_der_pol, Measured, rule);
-        is_mirrored(van_der_pol, BackwardDifference::new(), rule);
-        is_mirrored(pendulum, FilteredDifference::new(num(0.02)).unwrap(), rule);
-        is_mirrored(pendulum, ModelAided::new(), rule);
-    }
+    is_mirrored(van_der_pol, Measured, rule);
+    is_mirrored(van_der_pol, BackwardDifference::new(), rule);
+    is_mirrored(pendulum, FilteredDifference::new(num(0.02)).unwrap(), rule);
+    is_mirrored(pendulum, ModelAided::new(), rule);
 }
 
 at_f32_and_f64! {
@@ -89,8 +92,7 @@ where
         other => other,
     };
     let rule = SlidingMode::new(5.0 * unit(N + 1)).unwrap();
-    let rule =
-        rule.with_antecedents(Antecedents::Fixed).unwrap().with_switching(switching).unwrap();
+    let rule = rule.with_antecedents(Fixed).with_switching(switching).unwrap();
     let network = FuzzyNetwork::<f64, N, 3>::evenly_spaced(core::array::from_fn(unit)).unwrap();
     let model = IntegratorChain::<f64, N>::new();
     let base = crate::support::flc(model, 2.0 / tau);

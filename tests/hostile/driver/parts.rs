@@ -4,11 +4,11 @@ use brunovsky::{
     Error,
     channel::{Channel, Ideal, RateLimit, Saturation},
     controller::{Clelc, FeedbackLinearization, Gains},
-    fuzzy::{Firing, FuzzyNetwork, Gaussian, Grid, Inputs},
+    fuzzy::{FuzzyNetwork, Gaussian, Grid, Inputs, Travelling},
     learning::{
         AdaptationRule, Antecedents, BackwardDifference, Bounded, ClosedLoop, Conditional,
-        ErrorRate, FilteredDifference, GradientDescent, Measured, ModelAided, NeuroFuzzy, NullRule,
-        SlidingMode, Switching,
+        ErrorRate, FilteredDifference, Fixed, Flow, GradientDescent, Measured, ModelAided,
+        NeuroFuzzy, NullRule, SlidingMode, Switching,
     },
     plant::{FeedbackLinearizable, Pendulum, VanDerPol},
 };
@@ -69,13 +69,48 @@ impl<T: Float, const N: usize> ErrorRate<T, N> for AnySource<T> {
     }
 }
 
+/// Any treatment of the antecedents.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum AnyAntecedents<T> {
+    Fixed(Fixed),
+    Flow(Flow<T>),
+}
+
+impl<T: Float> AnyAntecedents<T> {
+    pub fn decode(bytes: &mut Bytes) -> Result<Self, Error> {
+        Ok(match bytes.byte() % 3 {
+            0 => AnyAntecedents::Fixed(Fixed),
+            1 => AnyAntecedents::Flow(Flow::default()),
+            _ => AnyAntecedents::Flow(Flow::new(bytes.parameter(), bytes.parameter())?),
+        })
+    }
+}
+
+impl<T: Float, W: Travelling<Scalar = T>> Antecedents<W> for AnyAntecedents<T> {
+    fn follow(&self, network: &mut W, e: &W::Input) {
+        match self {
+            AnyAntecedents::Fixed(fixed) => fixed.follow(network, e),
+            AnyAntecedents::Flow(flow) => flow.follow(network, e),
+        }
+    }
+
+    fn flow(&self, network: &mut W, tau: T) {
+        match self {
+            AnyAntecedents::Fixed(fixed) => fixed.flow(network, tau),
+            AnyAntecedents::Flow(flow) => flow.flow(network, tau),
+        }
+    }
+}
+
+type AnySlidingMode<T> = SlidingMode<T, AnyAntecedents<T>>;
+
 /// Any adaptation rule.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum AnyRule<T> {
     Null(NullRule),
-    SlidingMode(SlidingMode<T>),
+    SlidingMode(AnySlidingMode<T>),
     GradientDescent(GradientDescent<T>),
-    BoundedSlidingMode(Bounded<SlidingMode<T>, T>),
+    BoundedSlidingMode(Bounded<AnySlidingMode<T>, T>),
     BoundedGradientDescent(Bounded<GradientDescent<T>, T>),
 }
 
@@ -107,21 +142,12 @@ macro_rules! each_rule {
     };
 }
 
-impl<T: Float, const I: usize, const K: usize> AdaptationRule<T, I, K> for AnyRule<T>
-where
-    Inputs<I>: Grid,
-{
-    fn follow(&mut self, network: &mut FuzzyNetwork<T, I, K>, e: &SVector<T, I>) {
+impl<T: Float, W: Travelling<Scalar = T>> AdaptationRule<W> for AnyRule<T> {
+    fn follow(&mut self, network: &mut W, e: &W::Input) {
         each_rule!(self, rule => rule.follow(network, e));
     }
 
-    fn adapt(
-        &mut self,
-        network: &mut FuzzyNetwork<T, I, K>,
-        firing: &Firing<T, I, K>,
-        s: T,
-        dt: T,
-    ) {
+    fn adapt(&mut self, network: &mut W, firing: &W::Firing, s: T, dt: T) {
         each_rule!(self, rule => rule.adapt(network, firing, s, dt));
     }
 }
@@ -134,17 +160,9 @@ pub fn switching<T: Float>(bytes: &mut Bytes) -> Switching<T> {
     }
 }
 
-fn antecedents<T: Float>(bytes: &mut Bytes) -> Antecedents<T> {
-    match bytes.byte() % 3 {
-        0 => Antecedents::Fixed,
-        1 => Antecedents::flow(),
-        _ => Antecedents::Flow { floor: bytes.parameter(), ceiling: bytes.parameter() },
-    }
-}
-
-fn sliding_mode<T: Float>(bytes: &mut Bytes) -> Result<SlidingMode<T>, Error> {
-    let rule = SlidingMode::new(bytes.parameter())?;
-    rule.with_switching(switching(bytes))?.with_antecedents(antecedents(bytes))
+fn sliding_mode<T: Float>(bytes: &mut Bytes) -> Result<AnySlidingMode<T>, Error> {
+    let rule = SlidingMode::new(bytes.parameter())?.with_switching(switching(bytes))?;
+    Ok(rule.with_antecedents(AnyAntecedents::decode(bytes)?))
 }
 
 fn bounded<R, T: Float>(rule: R, bytes: &mut Bytes) -> Result<Bounded<R, T>, Error> {
@@ -177,7 +195,7 @@ where
 
 /// CLELC with every part chosen by the bytes, but the model.
 pub type AnyClelc<P, T, const N: usize, const K: usize> =
-    Clelc<P, NeuroFuzzy<T, AnySource<T>, AnyRule<T>, N, K>, N>;
+    Clelc<P, NeuroFuzzy<FuzzyNetwork<T, N, K>, AnySource<T>, AnyRule<T>>, N>;
 
 pub fn clelc<P, T: Float, const N: usize, const K: usize>(
     model: P,

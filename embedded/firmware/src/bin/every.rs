@@ -7,7 +7,11 @@ use brunovsky::{
     Error,
     channel::{RateLimit, Saturation},
     controller::unicycle::{Direction, Standstill, UnicycleController},
-    learning::{Bounded, Conditional, Redundant},
+    fuzzy::{IntervalNetwork, TriangularNetwork, TypeReduction},
+    learning::{
+        AdaptiveSlidingMode, Bounded, Conditional, FeedbackError, Fixed, RecursiveLeastSquares,
+        Redundant,
+    },
     plant::{IntegratorChain, Link, TwoLinkArm},
     prelude::*,
 };
@@ -16,7 +20,7 @@ use firmware::{
     exit,
     hostile::{Noise, stand},
 };
-use replay::{Real, chain, feedback};
+use replay::{Real, chain, feedback, trained};
 
 #[entry]
 fn main() -> ! {
@@ -26,6 +30,7 @@ fn main() -> ! {
 fn every() -> Result<(), Error> {
     let noise = &mut Noise::new(0x9e37_79b9_7f4a_7c15);
     rules(noise)?;
+    networks(noise)?;
     sources(noise)?;
     stand(feedback::<1>()?, noise);
     stand(feedback::<6>()?, noise);
@@ -37,7 +42,7 @@ fn every() -> Result<(), Error> {
 fn rules(noise: &mut Noise) -> Result<(), Error> {
     let difference = BackwardDifference::new();
     let sliding = SlidingMode::new(5.0)?;
-    let fixed = sliding.with_antecedents(Antecedents::Fixed)?;
+    let fixed = sliding.with_antecedents(Fixed);
     let gradient = GradientDescent::new(5.0)?;
     stand(chain::<_, _, 1, 3>(difference, sliding)?, noise);
     stand(chain::<_, _, 2, 3>(difference, sliding)?, noise);
@@ -50,13 +55,36 @@ fn rules(noise: &mut Noise) -> Result<(), Error> {
     stand(chain::<_, _, 2, 3>(difference, gradient)?, noise);
     stand(chain::<_, _, 2, 3>(difference, Bounded::new(sliding, 1.0)?)?, noise);
     stand(chain::<_, _, 2, 3>(difference, Bounded::new(gradient, 1.0)?.with_rate(1.0)?)?, noise);
+    let leaking = gradient.with_leakage(0.1)?.with_projection(2.0)?;
+    stand(chain::<_, _, 2, 3>(difference, leaking)?, noise);
+    let adaptive = AdaptiveSlidingMode::new(sliding, 1.0, 0.1)?;
+    stand(chain::<_, _, 2, 3>(difference, adaptive)?, noise);
+    stand(chain::<_, _, 2, 3>(difference, adaptive.with_ceiling(50.0)?)?, noise);
+    let least_squares = RecursiveLeastSquares::new(10.0)?;
+    stand(chain::<_, _, 2, 3>(difference, least_squares)?, noise);
+    stand(chain::<_, _, 2, 3>(difference, least_squares.with_memory(2.0)?)?, noise);
     stand(chain::<_, _, 2, 3>(difference, NullRule)?, noise);
+    Ok(())
+}
+
+fn networks(noise: &mut Noise) -> Result<(), Error> {
+    let difference = BackwardDifference::new();
+    let rule = SlidingMode::new(5.0)?.with_antecedents(Fixed);
+    let triangular = TriangularNetwork::<Real, 2, 3>::evenly_spaced([2.0; 2])?;
+    stand(trained(triangular, difference, rule)?, noise);
+    for reduction in [TypeReduction::NieTan, TypeReduction::Bmm { m: 0.3 }] {
+        let gaussian = IntervalNetwork::<_, Real, 2, 3>::gaussian([2.0; 2], 0.2, reduction)?;
+        stand(trained(gaussian, difference, rule)?, noise);
+        let elliptic = IntervalNetwork::<_, Real, 2, 3>::elliptic([2.0; 2], [0.6, 2.0], reduction)?;
+        stand(trained(elliptic, difference, rule)?, noise);
+    }
     Ok(())
 }
 
 fn sources(noise: &mut Noise) -> Result<(), Error> {
     let rule = SlidingMode::new(5.0)?;
     stand(chain::<_, _, 2, 3>(Measured, rule)?, noise);
+    stand(chain::<_, _, 2, 3>(FeedbackError, rule)?, noise);
     stand(chain::<_, _, 2, 3>(FilteredDifference::new(0.05)?, rule)?, noise);
     stand(chain::<_, _, 2, 3>(ModelAided::new(), rule)?, noise);
     stand(chain::<_, _, 2, 3>(Conditional::new(BackwardDifference::new(), 0.1)?, rule)?, noise);

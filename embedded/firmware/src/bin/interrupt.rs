@@ -46,7 +46,7 @@ fn SysTick() {
     }
 }
 
-type Learner = NeuroFuzzy<f32, ModelAided<f32>, Bounded<SlidingMode<f32>, f32>, 2, 3>;
+type Learner = NeuroFuzzy<FuzzyNetwork<f32, 2, 3>, ModelAided<f32>, Bounded<SlidingMode<f32>, f32>>;
 type Learning = Clelc<Pendulum<f32>, Guarded<Learner, f32>, 2>;
 type Controlled = Limited<Supervised<Learning, f32, 1>, Saturation<f32, 1>, f32, 1>;
 

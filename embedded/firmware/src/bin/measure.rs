@@ -3,14 +3,19 @@
 #![no_std]
 #![no_main]
 
-use brunovsky::{Error, prelude::*};
+use brunovsky::{
+    Error,
+    fuzzy::{IntervalNetwork, TriangularNetwork, TypeReduction, UncertainGaussian},
+    learning::{Fixed, RecursiveLeastSquares},
+    prelude::*,
+};
 use cortex_m_rt::entry;
 use firmware::{
     exit,
     measure::{nothing, study, waves},
     recordings,
 };
-use replay::{Real, Robot, ThirdOrderLoop, chain, feedback};
+use replay::{Real, Robot, ThirdOrderLoop, chain, feedback, trained};
 
 #[entry]
 fn main() -> ! {
@@ -39,6 +44,9 @@ subjects! {
     "model-aided, boundary layer, N = 3, K = 3" => waves(chain::<_, _, 3, 3>(ModelAided::new(), layered()?)?),
     "fixed antecedents, N = 2, K = 3" => waves(chain::<_, _, 2, 3>(BackwardDifference::new(), fixed()?)?),
     "fixed antecedents, N = 3, K = 3" => waves(chain::<_, _, 3, 3>(BackwardDifference::new(), fixed()?)?),
+    "triangular memberships, 9 rules" => waves(trained(triangular()?, BackwardDifference::new(), fixed()?)?),
+    "interval type 2, 9 rules" => waves(trained(interval()?, BackwardDifference::new(), fixed()?)?),
+    "least squares, 9 rules" => waves(chain::<_, _, 2, 3>(BackwardDifference::new(), least_squares()?)?),
     "the third-order study" => study::<ThirdOrderLoop>(recordings::THIRD_ORDER),
     "the robot: two axes, unicycle, limits" => study::<Robot>(recordings::ROBOT),
 }
@@ -51,8 +59,20 @@ fn layered() -> Result<SlidingMode<Real>, Error> {
     set_valued()?.with_switching(Switching::Implicit { delta: 2.0 })
 }
 
-fn fixed() -> Result<SlidingMode<Real>, Error> {
-    set_valued()?.with_antecedents(Antecedents::Fixed)
+fn triangular() -> Result<TriangularNetwork<Real, 2, 3>, Error> {
+    TriangularNetwork::evenly_spaced([2.0; 2])
+}
+
+fn interval() -> Result<IntervalNetwork<UncertainGaussian<Real>, Real, 2, 3>, Error> {
+    IntervalNetwork::gaussian([2.0; 2], 0.2, TypeReduction::NieTan)
+}
+
+fn least_squares() -> Result<RecursiveLeastSquares<Real, 2, 3>, Error> {
+    RecursiveLeastSquares::new(10.0)?.with_memory(2.0)
+}
+
+fn fixed() -> Result<SlidingMode<Real, Fixed>, Error> {
+    Ok(set_valued()?.with_antecedents(Fixed))
 }
 
 const fn same(a: &str, b: &str) -> bool {

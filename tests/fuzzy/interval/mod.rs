@@ -1,0 +1,3 @@
+mod elliptic;
+mod network;
+mod uncertain_gaussian;
