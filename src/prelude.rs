@@ -3,13 +3,14 @@
 pub use crate::{
     Error, Scalar,
     controller::{
-        Accept, Clelc, Command, Controller, Decoupling, FeedbackLinearization, Gains, Limited,
-        Measurement, Mode, Reference, Supervised,
+        Accept, AntiWindup, Backstepping, Clelc, Command, Compensated, Controller, Decoupling,
+        FeedbackLinearization, Gains, Limited, Measurement, Mode, ModelReferenceAdaptive, Pid,
+        PidGains, Reference, StateFeedback, Supervised,
     },
-    fuzzy::{FuzzyNetwork, Gaussian},
+    fuzzy::{FuzzyNetwork, Gaussian, Network},
     integrators::{Adaptive, DormandPrince, Euler, Heun, Integrator, Rk4, Rodas, Tolerance},
     learning::{
-        Antecedents, BackwardDifference, Certificate, Compensator, FilteredDifference,
+        BackwardDifference, Certificate, Compensator, FilteredDifference, Fixed, Flow,
         GradientDescent, Guarded, LearningMode, Measured, ModelAided, Monitor, NeuroFuzzy,
         NullCompensator, NullRule, SlidingMode, Switching, Watchdog,
     },
