@@ -9,7 +9,7 @@ use brunovsky::{
         ClelcCommand,
         unicycle::{Direction, heading},
     },
-    learning::{AdaptationRule, Fixed},
+    learning::AdaptationRule,
     plant::VanDerPol,
     plot::{BLACK, BLUE, Dash, Draw, Figure, Line, Stroke},
     prelude::*,

@@ -11,7 +11,7 @@ mod world;
 
 use anyhow::{Result, ensure};
 use brunovsky::{
-    learning::{AdaptationRule, ErrorRate, Fixed},
+    learning::{AdaptationRule, Antecedents, ErrorRate},
     plant::IntegratorChain,
     prelude::*,
 };
