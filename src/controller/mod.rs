@@ -16,6 +16,7 @@
 //! | [`Padded`] | any of them in a chain longer than its order | outputs of different relative degree |
 //! | [`UnicycleController`](unicycle::UnicycleController) | the same with v̇ = ξ (eq_transformation) | the unicycle robot |
 //! | [`Limited`] | any of them with an [actuator](crate::channel) behind it, told what arrived | any plant |
+//! | [`InputOnly`] | any of them, telling its input alone, for a choice at run time | any plant |
 //! | [`Supervised`] | any of them and an operator, who takes over and hands back without a bump | any plant |
 //!
 //! # Conventions
@@ -41,6 +42,7 @@ mod compensated;
 mod decoupling;
 mod feedback_linearization;
 mod gains;
+mod input_only;
 mod limited;
 pub mod lqr;
 mod measurement;
@@ -66,6 +68,7 @@ pub use compensated::{Compensated, CompensatedCommand};
 pub use decoupling::{Decoupling, DecouplingCommand};
 pub use feedback_linearization::{FeedbackLinearization, FeedbackLinearizationCommand};
 pub use gains::Gains;
+pub use input_only::InputOnly;
 pub use limited::{Limited, LimitedCommand};
 pub use measurement::Measurement;
 pub use padded::Padded;
