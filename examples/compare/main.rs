@@ -21,7 +21,7 @@ use worlds::{FlexibleJointWorld, PendulumWorld, RobotWorld, Row, ThirdOrderWorld
 #[derive(Parser)]
 struct Arguments {
     /// How many parameters are tried for each controller on each plant.
-    #[arg(long, default_value_t = 120)]
+    #[arg(long, default_value_t = 400)]
     tries: u32,
     /// Only the plants whose name contains this.
     #[arg(long, default_value = "")]
@@ -32,13 +32,13 @@ struct Arguments {
 }
 
 /// What became of a controller on a plant.
-pub struct Entry {
-    pub name: &'static str,
-    pub knows: &'static str,
+struct Entry {
+    name: &'static str,
+    knows: &'static str,
     /// Its parameters, figures and run, unless it lost the plant.
-    pub result: Option<(Vec<(&'static str, f64)>, Merits, Vec<Row>)>,
+    result: Option<(Vec<(&'static str, f64)>, Merits, Vec<Row>)>,
     /// The time of a step in ns.
-    pub time: f64,
+    time: Option<f64>,
 }
 
 /// The parameter λ at its usual value, in the middle of its range.
@@ -54,9 +54,10 @@ fn compare<const N: usize>(world: &dyn World<N>, tries: u32) -> anyhow::Result<V
     for contestant in &contestants {
         let best = search::best(world, contestant, variation, tries)?;
         let mut entry =
-            Entry { name: contestant.name, knows: contestant.knows, result: None, time: f64::NAN };
+            Entry { name: contestant.name, knows: contestant.knows, result: None, time: None };
         if let Some(point) = best {
-            entry.time = merits::nanoseconds(&mut contestant.at(&point)?, world.period())?;
+            let time = merits::nanoseconds(&mut contestant.at(&point)?, world.period())?;
+            entry.time = Some(time);
             let run = world.run(&|| contestant.at(&point), contestant.sees_output(), Trial::Test);
             if let Ok(rows) = run {
                 let merits = Merits::of(&rows, world.story())?;

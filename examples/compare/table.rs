@@ -64,7 +64,7 @@ pub fn add(table: &mut Table, plant: &str, entries: &[Entry]) {
                 )
             }
         }
-        row.push(format!("{:.0}", entry.time));
+        row.push(entry.time.map_or("–".to_owned(), |time| format!("{time:.0}")));
         table.add_row(row);
     }
 }
