@@ -21,11 +21,11 @@
 //! | [`differentiation`] | numbers that carry derivatives, or their own rounding error | – |
 //! | [`plant`] | what is controlled: three rungs of traits, plants by their equations, named plants, uncertainty | differentiation |
 //! | [`integrators`] | ẋ = f(t, x) with fixed or adaptive steps, stiff or not; events | – |
-//! | [`fuzzy`] | membership functions, rule grid, network | – |
+//! | [`fuzzy`] | membership functions, rule grid, networks of type 1 and interval type 2 | – |
 //! | [`differentiator`] | the rate of a sampled signal: differences, robust exact, high-gain, tracking | – |
 //! | [`learning`] | sources of ė_n, adaptation rules, compensators, certificates | fuzzy, differentiator |
 //! | [`channel`] | what becomes of signals on their way: limits, lag, delay, quantization, noise, losses | – |
-//! | [`controller`] | gains, feedback linearization, CLELC, decoupling, the unicycle | plant, learning, channel |
+//! | [`controller`] | feedback linearization, CLELC, and what they are compared with; decoupling, the unicycle | plant, learning, channel |
 //! | [`elementary`] | sine, cosine, hypotenuse in the scalar's own precision | – |
 //! | [`trajectory`] | references r(t) with their derivatives: analytic curves, minimum jerk, constant speed | controller |
 //! | [`simulation`] | the sampled loop with sensors, actuators and clocks of their own; figures of merit | all |
@@ -42,11 +42,16 @@
 //!   loaded. Loading checks what the constructors check. It needs neither `std` nor an allocator. See [Saving and loading](saving).
 //! * `ensemble`: Monte Carlo ensembles and sweeps; `parallel` runs them on all cores, `progress` shows how far they are.
 //!
-//! [From simulation to hardware](hardware) is a page for those who put a controller on a machine.
+//! [Which controller, when](comparison) puts all controllers beside each other on four plants. [From simulation to hardware](hardware) is a page for
+//! those who put a controller on a machine.
 
 #[cfg(any(doc, doctest))]
 #[doc = include_str!("../docs/hardware.md")]
 pub mod hardware {}
+
+#[cfg(any(doc, doctest))]
+#[doc = include_str!("../docs/comparison.md")]
+pub mod comparison {}
 
 #[cfg(any(doc, doctest))]
 #[doc = include_str!("../docs/saving.md")]

@@ -1,4 +1,4 @@
-//! A picture for each plant: the errors of some of the controllers.
+//! A picture for each plant: the errors of some of the controllers on the way, and below what remains of them under Δ.
 
 use std::path::Path;
 
@@ -19,7 +19,10 @@ const DRAWN: [(&str, Stroke); 7] = [
     ("CLELC", Stroke::new(BLUE, Dash::Solid)),
 ];
 
-/// Draws the step responses and, larger, what remains under the uncertainty.
+/// What the lower panel shows, in terms of the largest error there under feedback linearization alone; larger ones leave it.
+const SHOWN: f64 = 1.5;
+
+/// Draws both into the folder `out`.
 pub fn draw<const N: usize>(
     out: &Path,
     world: &dyn World<N>,
@@ -30,9 +33,15 @@ pub fn draw<const N: usize>(
     let label = format!("error: {quantity}");
     let mut start = Figure::over_time(&label).x_range(0.0..story.switched);
     let mut rest = Figure::over_time(&label).x_range(story.switched..story.end);
+    let flc = entries.iter().find(|entry| entry.name == "FLC").and_then(|e| e.result.as_ref());
+    if let Some((_, rows)) = flc {
+        let after = rows.iter().filter(|row| row.t >= story.switched);
+        let largest = SHOWN * after.map(|row| row.step.abs()).fold(0.0, f64::max);
+        rest = rest.y_range(-largest..largest);
+    }
     for (name, stroke) in DRAWN {
         let Some(entry) = entries.iter().find(|entry| entry.name == name) else { continue };
-        let Some((_, _, rows)) = &entry.result else { continue };
+        let Some((_, rows)) = &entry.result else { continue };
         let line = |from: f64, to: f64| {
             let points = rows.iter().filter(move |row| (from..=to).contains(&row.t));
             Line::new(name, points.map(|row| (row.t, row.step))).stroke(stroke)

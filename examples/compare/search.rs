@@ -15,8 +15,8 @@ use crate::{
 
 /// How much more the input may move.
 const ACTIVITY: f64 = 2.0;
-/// The second half of the tries is made in a box around the best of the first, of this share of its sides.
-const NEAR: f64 = 0.25;
+/// The tries are made in as many rounds, each in a box around the best so far, of such a share of the ranges.
+const ROUNDS: [f64; 5] = [1.0, 0.5, 0.25, 0.12, 0.06];
 
 /// The integral of the error, and the total variation of the input.
 pub fn cost(rows: &[Row]) -> Result<[f64; 2], Error> {
@@ -32,14 +32,15 @@ pub fn best<const N: usize>(
     tries: u32,
 ) -> Result<Option<Point>, Error> {
     let mut best: Option<(f64, Point)> = None;
-    for share in [1.0, NEAR] {
+    for share in ROUNDS {
         let middle = best.map_or([0.5; MOST], |(_, point)| point);
         let axes = middle.map(|middle| {
             let low = (middle - 0.5 * share).clamp(0.0, 1.0 - share);
             Axis::linear("share of the range", low, low + share)
         });
-        let [a, b, c, d, e] = axes;
-        let design = Design::latin_hypercube([a?, b?, c?, d?, e?], tries / 2, 1)?;
+        let [a, b, c, d, e, f] = axes;
+        let design =
+            Design::latin_hypercube([a?, b?, c?, d?, e?, f?], tries / ROUNDS.len() as u32, 1)?;
         let sweep = Sweep::new(design, 1, 0, ["cost"], |point: Point, _: Run| {
             let make = || contestant.at(&point);
             let [error, moves] =

@@ -1,4 +1,6 @@
-//! One table of everything.
+//! One table of everything, and a file of what was found.
+
+use std::path::Path;
 
 use comfy_table::{Table, presets::ASCII_MARKDOWN};
 
@@ -24,13 +26,12 @@ pub fn headed() -> Table {
         "rise in s",
         "settling in s",
         "overshoot in %",
-        "max abs e",
+        "max abs e at rest",
         "… under Δ",
-        "RMS of e",
+        "RMS of e under Δ",
         "RMS of u",
         "TV(u) in 1/s",
-        "found",
-        "ns/step",
+        "ns a step",
     ]);
     table
 }
@@ -38,33 +39,43 @@ pub fn headed() -> Table {
 /// Adds a row for each of the controllers on `plant`.
 pub fn add(table: &mut Table, plant: &str, entries: &[Entry]) {
     for entry in entries {
-        let mut row = vec![plant.to_owned(), entry.name.to_owned(), entry.knows.to_owned()];
-        match &entry.result {
-            Some((parameters, merits, _)) => {
-                let time = |value: Option<f64>| value.map_or("never".to_owned(), figure);
-                row.extend([time(merits.rise), time(merits.settling)]);
-                row.extend(
-                    [
-                        merits.overshoot,
-                        merits.nominal,
-                        merits.uncertain,
-                        merits.rms,
-                        merits.effort,
-                        merits.variation,
-                    ]
-                    .map(figure),
-                );
-                let found =
-                    parameters.iter().map(|(name, value)| format!("{name} {}", figure(*value)));
-                row.push(found.collect::<Vec<_>>().join(", "));
-            }
-            None => {
-                row.extend(
-                    ["lost"; 1].map(str::to_owned).into_iter().chain(vec!["–".to_owned(); 8]),
-                )
-            }
-        }
+        let mut row = [plant, entry.name, entry.knows].map(str::to_owned).to_vec();
+        row.extend(figures(entry));
         row.push(entry.time.map_or("–".to_owned(), |time| format!("{time:.0}")));
         table.add_row(row);
     }
+}
+
+fn figures(entry: &Entry) -> [String; 8] {
+    let Some((merits, _)) = &entry.result else {
+        let reason = if entry.found.is_empty() { "no tuning found" } else { "lost under Δ" };
+        let nothing = || "–".to_owned();
+        return core::array::from_fn(|i| if i == 0 { reason.to_owned() } else { nothing() });
+    };
+    let time = |value: Option<f64>| value.map_or("never".to_owned(), figure);
+    [
+        time(merits.rise),
+        time(merits.settling),
+        figure(merits.overshoot),
+        figure(merits.nominal),
+        figure(merits.uncertain),
+        figure(merits.rms),
+        figure(merits.effort),
+        figure(merits.variation),
+    ]
+}
+
+/// Writes the parameters that were found on each plant.
+pub fn write(path: &Path, found: &[(&str, Vec<Entry>)]) -> csv::Result<()> {
+    let mut file = csv::Writer::from_path(path)?;
+    file.write_record(["plant", "controller", "parameter", "value"])?;
+    for (plant, entries) in found {
+        for entry in entries {
+            for (name, value) in &entry.found {
+                file.write_record([plant, entry.name, name, &value.to_string()])?;
+            }
+        }
+    }
+    file.flush()?;
+    Ok(())
 }

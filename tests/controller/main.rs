@@ -16,6 +16,7 @@ mod compensated;
 mod decoupling;
 mod feedback_linearization;
 mod gains;
+mod input_only;
 mod learning_mode;
 mod limited;
 mod lqr;

@@ -5,15 +5,15 @@ use brunovsky::{controller::ActiveDisturbanceRejection, prelude::*};
 use super::{Contestant, Facts, Parameter, around};
 
 /// The parameters of [`pid`].
-pub fn pid_parameters<const N: usize>(facts: Facts<N>) -> [Parameter; 3] {
+pub fn pid_parameters<const N: usize>(facts: Facts<N>) -> [Parameter; 4] {
     let time = around(1.0 / facts.rate, 30.0);
-    [("K", around(facts.pid_gain, 30.0)), ("T_i", time), ("T_d", time)]
+    let filter = [facts.period, 1.0 / facts.rate];
+    [("K", around(facts.pid_gain, 30.0)), ("T_i", time), ("T_d", time), ("T_f", filter)]
 }
 
-/// A PID controller whose filter and anti-windup follow from its times, by the usual rules.
-pub fn pid<const N: usize>(period: f64, [k, t_i, t_d]: [f64; 3]) -> Result<Pid<f64, N>, Error> {
-    let filter = (t_d / 8.0).max(period);
-    let gains = PidGains::new(k)?.with_integral_time(t_i)?.with_derivative_time(t_d, filter)?;
+/// A PID controller whose anti-windup follows from its times by the usual rule.
+pub fn pid<const N: usize>([k, t_i, t_d, t_f]: [f64; 4]) -> Result<Pid<f64, N>, Error> {
+    let gains = PidGains::new(k)?.with_integral_time(t_i)?.with_derivative_time(t_d, t_f)?;
     Pid::new(gains, AntiWindup::BackCalculation { tracking_time: (t_i * t_d).sqrt() })
 }
 
@@ -46,7 +46,7 @@ where
     let lambda = facts.lambda();
     vec![
         Contestant::new("PID", "y", &pid_parameters(facts), move |p| {
-            pid::<N>(period, [p[0], p[1], p[2]])
+            pid::<N>([p[0], p[1], p[2], p[3]])
         }),
         Contestant::new(
             "ADRC",
@@ -73,11 +73,11 @@ where
         Contestant::new(
             "MRAC",
             "x, model, φ = (1, x₁)",
-            &[lambda, ("γ", around(rate.powi(2), 1000.0))],
+            &[lambda, ("γ", around(rate.powi(2 * N as i32 - 1), 1000.0))],
             move |p| {
                 let base = FeedbackLinearization::new(model, Gains::from_lambda(p[0])?);
                 let phi = |x: &SVector<f64, N>| SVector::from([1.0, x[0]]);
-                // Weights that measure e_i in λ^(1−i)·e₁, so that P, and γ with it, is of the same size for every λ.
+                // Weights that measure e_i in λ^(1−i)·e₁, so that γ = λ²ᴺ⁻¹ learns at the rate λ or so.
                 let q = SVector::from_fn(|i, _| p[0].powi(2 - 2 * i as i32));
                 ModelReferenceAdaptive::<_, _, N, 2>::new(base, phi, p[1], q)
             },

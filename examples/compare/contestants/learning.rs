@@ -33,17 +33,17 @@ where
     let flc = move |lambda| Ok(FeedbackLinearization::new(model, Gains::from_lambda(lambda)?));
     let learner =
         move |alpha, delta| Ok(NeuroFuzzy::new(network()?, ModelAided::new(), rule(alpha, delta)?));
-    let [k, t_i, t_d] = pid_parameters(facts);
+    let [k, t_i, t_d, t_f] = pid_parameters(facts);
     let [q1, q2] = lqr_parameters(facts);
     vec![
         Contestant::new("feedback-error learning", "x, model", &clelc, move |p| {
             let learner = NeuroFuzzy::new(network()?, FeedbackError, rule(p[1], p[2])?);
             Ok(Clelc::new(flc(p[0])?, learner))
         }),
-        Contestant::new("CLELC", "x, model, |Δ̇|", &clelc, move |p| {
+        Contestant::new("CLELC", "x, model, bound on Δ̇", &clelc, move |p| {
             Ok(Clelc::new(flc(p[0])?, learner(p[1], p[2])?))
         }),
-        Contestant::new("CLELC, type 2", "x, model, |Δ̇|", &clelc, move |p| {
+        Contestant::new("CLELC, type 2", "x, model, bound on Δ̇", &clelc, move |p| {
             let network =
                 IntervalNetwork::<_, f64, N, K>::gaussian(errors, 0.2, TypeReduction::NieTan)?;
             let rule = rule(p[1], p[2])?.with_antecedents(Fixed);
@@ -79,16 +79,16 @@ where
         ),
         Contestant::new(
             "PID and learning",
-            "x, model, |Δ̇|",
-            &[k, t_i, t_d, alpha, layer],
+            "x, model, bound on Δ̇",
+            &[k, t_i, t_d, t_f, alpha, layer],
             move |p| {
-                let base = pid::<N>(period, [p[0], p[1], p[2]])?;
-                Ok(Compensated::new(base, model, learner(p[3], p[4])?))
+                let base = pid::<N>([p[0], p[1], p[2], p[3]])?;
+                Ok(Compensated::new(base, model, learner(p[4], p[5])?))
             },
         ),
         Contestant::new(
             "LQR and learning",
-            "x, model, |Δ̇|",
+            "x, model, bound on Δ̇",
             &[q1, q2, alpha, layer],
             move |p| {
                 let base = lqr(model, period, [p[0], p[1]])?;

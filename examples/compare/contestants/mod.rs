@@ -16,7 +16,7 @@ pub type Any<const N: usize> = Box<
 >;
 
 /// No controller has more parameters.
-pub const MOST: usize = 5;
+pub const MOST: usize = 6;
 
 /// A point of the ranges of the parameters, 0 at their low and 1 at their high ends, with equal factors in between.
 pub type Point = [f64; MOST];

@@ -2,7 +2,8 @@
 
 use brunovsky::{
     controller::sliding_mode::{
-        IntegralSlidingMode, SlidingModeControl, SlidingSurface, SuperTwisting, SuperTwistingGains,
+        IntegralSlidingMode, SlidingModeControl, SlidingSurface, Stepping, SuperTwisting,
+        SuperTwistingGains,
     },
     prelude::*,
 };
@@ -19,13 +20,17 @@ where
     let gain = ("k", around(delta, 10.0));
     // In the units of σ, of what Δ moves in a period.
     let layer = ("δ", [0.1 * delta * period, 1000.0 * delta * period]);
+    let rate_bound = ("L", around(delta * rate, 100.0));
     vec![
-        Contestant::new("sliding mode, set-valued", "x, model, |Δ|", &[lambda, gain], move |p| {
-            SlidingModeControl::new(model, SlidingSurface::from_lambda(p[0])?, p[1])
-        }),
+        Contestant::new(
+            "sliding mode, set-valued",
+            "x, model, bound on Δ",
+            &[lambda, gain],
+            move |p| SlidingModeControl::new(model, SlidingSurface::from_lambda(p[0])?, p[1]),
+        ),
         Contestant::new(
             "sliding mode, boundary layer",
-            "x, model, |Δ|",
+            "x, model, bound on Δ",
             &[lambda, gain, layer],
             move |p| {
                 SlidingModeControl::new(model, SlidingSurface::from_lambda(p[0])?, p[1])?
@@ -34,16 +39,26 @@ where
         ),
         Contestant::new(
             "super-twisting",
-            "x, model, |Δ̇|",
-            &[lambda, ("L", around(delta * rate, 100.0))],
+            "x, model, bound on Δ̇",
+            &[lambda, rate_bound],
             move |p| {
                 let gains = SuperTwistingGains::for_rate(p[1])?;
                 Ok(SuperTwisting::new(model, SlidingSurface::from_lambda(p[0])?, gains))
             },
         ),
         Contestant::new(
+            "super-twisting, explicit",
+            "x, model, bound on Δ̇",
+            &[lambda, rate_bound],
+            move |p| {
+                let gains = SuperTwistingGains::for_rate(p[1])?;
+                let law = SuperTwisting::new(model, SlidingSurface::from_lambda(p[0])?, gains);
+                Ok(law.with_stepping(Stepping::Explicit))
+            },
+        ),
+        Contestant::new(
             "integral sliding mode",
-            "x, model, |Δ|",
+            "x, model, bound on Δ",
             &[lambda, gain, layer],
             move |p| {
                 let flc = FeedbackLinearization::new(model, Gains::from_lambda(p[0])?);

@@ -46,8 +46,8 @@ impl World<4> for FlexibleJointWorld {
         STORY
     }
 
-    fn contestants(&self) -> Vec<Contestant<4>> {
-        contestants::all::<_, 4, 2>(IntegratorChain::new(), FACTS)
+    fn contestants(&self) -> Result<Vec<Contestant<4>>, Error> {
+        Ok(contestants::all::<_, 4, 2>(IntegratorChain::new(), FACTS))
     }
 
     fn run(

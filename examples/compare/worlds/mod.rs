@@ -68,7 +68,7 @@ pub trait World<const N: usize>: Sync {
 
     fn story(&self) -> Story;
 
-    fn contestants(&self) -> Vec<Contestant<N>>;
+    fn contestants(&self) -> Result<Vec<Contestant<N>>, Error>;
 
     /// One run under controllers that `make` makes, as many as the plant has chains.
     fn run(

@@ -39,9 +39,8 @@ impl World<2> for PendulumWorld {
         STORY
     }
 
-    fn contestants(&self) -> Vec<Contestant<2>> {
-        let model = Pendulum::new(1.0, 0.5, 0.1, 9.81);
-        model.map_or(Vec::new(), |model| contestants::all::<_, 2, 3>(model, FACTS))
+    fn contestants(&self) -> Result<Vec<Contestant<2>>, Error> {
+        Ok(contestants::all::<_, 2, 3>(Pendulum::new(1.0, 0.5, 0.1, 9.81)?, FACTS))
     }
 
     fn run(

@@ -40,7 +40,7 @@ impl World<2> for RobotWorld {
     }
 
     fn units(&self) -> [&'static str; 2] {
-        ["distance in m", "yaw rate in rad/s"]
+        ["distance across the first leg in m", "yaw rate in rad/s"]
     }
 
     fn period(&self) -> f64 {
@@ -51,8 +51,8 @@ impl World<2> for RobotWorld {
         STORY
     }
 
-    fn contestants(&self) -> Vec<Contestant<2>> {
-        contestants::all::<_, 2, 3>(IntegratorChain::new(), FACTS)
+    fn contestants(&self) -> Result<Vec<Contestant<2>>, Error> {
+        Ok(contestants::all::<_, 2, 3>(IntegratorChain::new(), FACTS))
     }
 
     fn run(

@@ -37,8 +37,8 @@ impl World<3> for ThirdOrderWorld {
         STORY
     }
 
-    fn contestants(&self) -> Vec<Contestant<3>> {
-        contestants::all::<_, 3, 3>(ThirdOrder::new(), FACTS)
+    fn contestants(&self) -> Result<Vec<Contestant<3>>, Error> {
+        Ok(contestants::all::<_, 3, 3>(ThirdOrder::new(), FACTS))
     }
 
     fn run(
