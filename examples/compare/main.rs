@@ -23,7 +23,7 @@ use worlds::{FlexibleJointWorld, PendulumWorld, RobotWorld, Row, ThirdOrderWorld
 #[derive(Parser)]
 struct Arguments {
     /// How many parameters are tried for each controller on each plant.
-    #[arg(long, default_value_t = 400)]
+    #[arg(long, default_value_t = 400, value_parser = clap::value_parser!(u32).range(10..))]
     tries: u32,
     /// Only the plants whose name contains this.
     #[arg(long, default_value = "")]
