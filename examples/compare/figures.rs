@@ -6,7 +6,10 @@ use brunovsky::plot::{
     BLACK, BLUE, Dash, Draw, Figure, GREEN, Line, ORANGE, PURPLE, SKY, Stroke, VERMILION,
 };
 
-use crate::{Entry, worlds::World};
+use crate::{
+    Entry,
+    worlds::{About, World},
+};
 
 /// Who is drawn, and how.
 const DRAWN: [(&str, Stroke); 7] = [
@@ -28,9 +31,8 @@ pub fn draw<const N: usize>(
     world: &dyn World<N>,
     entries: &[Entry],
 ) -> anyhow::Result<()> {
-    let story = world.story();
-    let [quantity, _] = world.units();
-    let label = format!("error: {quantity}");
+    let About { name, error, story, .. } = world.about();
+    let label = format!("error: {error}");
     let mut start = Figure::over_time(&label).x_range(0.0..story.switched);
     let mut rest = Figure::over_time(&label).x_range(story.switched..story.end);
     let flc = entries.iter().find(|entry| entry.name == "FLC").and_then(|e| e.result.as_ref());
@@ -49,7 +51,6 @@ pub fn draw<const N: usize>(
         start = start.line(line(0.0, story.switched));
         rest = rest.line(line(story.switched, story.end));
     }
-    let name = world.name().replace(' ', "_");
-    [start, rest].save(out.join(name).with_extension("svg"))?;
+    [start, rest].save(out.join(name.replace(' ', "_")).with_extension("svg"))?;
     Ok(())
 }

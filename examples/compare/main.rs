@@ -17,7 +17,9 @@ use brunovsky::prelude::*;
 use clap::Parser;
 use contestants::{Contestant, Point};
 use merits::Merits;
-use worlds::{FlexibleJointWorld, PendulumWorld, RobotWorld, Row, ThirdOrderWorld, Trial, World};
+use worlds::{
+    About, FlexibleJointWorld, PendulumWorld, RobotWorld, Row, ThirdOrderWorld, Trial, World,
+};
 
 /// Compares all controllers.
 #[derive(Parser)]
@@ -49,6 +51,7 @@ struct Entry {
 const USUAL: Point = [0.5; contestants::MOST];
 
 fn compare<const N: usize>(world: &dyn World<N>, tries: u32) -> anyhow::Result<Vec<Entry>> {
+    let About { period, story, .. } = world.about();
     let contestants = world.contestants()?;
     let flc = contestants.iter().find(|contestant| contestant.name == "FLC");
     let flc = flc.ok_or(Error::Missing { name: "FLC" })?;
@@ -61,13 +64,13 @@ fn compare<const N: usize>(world: &dyn World<N>, tries: u32) -> anyhow::Result<V
             return Ok(Entry { name, knows, found: Vec::new(), result: None, time: None });
         };
         let run = world.run(&|| contestant.at(&point), contestant.sees_output(), Trial::Test);
-        let judged = |rows: Vec<Row>| Ok::<_, Error>((Merits::of(&rows, world.story())?, rows));
+        let judged = |rows: Vec<Row>| Ok::<_, Error>((Merits::of(&rows, story)?, rows));
         Ok(Entry {
             name,
             knows,
             found: contestant.parameters(&point),
             result: run.ok().map(judged).transpose()?,
-            time: Some(merits::nanoseconds(&mut contestant.at(&point)?, world.period())?),
+            time: Some(merits::nanoseconds(&mut contestant.at(&point)?, period)?),
         })
     };
     contestants.iter().map(entry).collect()
@@ -81,7 +84,7 @@ fn main() -> anyhow::Result<()> {
     // Their chains are of different order, so they do not fit in one list.
     macro_rules! on {
         ($($world:ident),*) => {$(
-            let name = $world.name();
+            let name = $world.about().name;
             if name.contains(&only) {
                 let entries = compare(&$world, tries)?;
                 table::add(&mut table, name, &entries);

@@ -5,7 +5,7 @@ use brunovsky::{
     prelude::*,
 };
 
-use super::{Law, Row, Story, Trial, World, recorded};
+use super::{About, Law, Row, Story, Trial, World, recorded};
 use crate::contestants::{self, Any, Contestant, Facts};
 
 /// A joint with a spring in it that turns its link by 0.3 rad, and whose motor then loses 30 % of its torque and 5 N·m.
@@ -30,20 +30,13 @@ fn model() -> Result<FlexibleJoint<f64>, Error> {
 }
 
 impl World<4> for FlexibleJointWorld {
-    fn name(&self) -> &'static str {
-        "flexible joint"
-    }
-
-    fn units(&self) -> [&'static str; 2] {
-        ["angle of the link in rad", "torque in N·m"]
-    }
-
-    fn period(&self) -> f64 {
-        FACTS.period
-    }
-
-    fn story(&self) -> Story {
-        STORY
+    fn about(&self) -> About {
+        About {
+            name: "flexible joint",
+            error: "angle of the link in rad",
+            period: FACTS.period,
+            story: STORY,
+        }
     }
 
     fn contestants(&self) -> Result<Vec<Contestant<4>>, Error> {

@@ -57,16 +57,20 @@ pub struct Row {
     pub u: f64,
 }
 
+/// What there is to say of a plant.
+#[derive(Clone, Copy)]
+pub struct About {
+    pub name: &'static str,
+    /// What an error is, and its unit.
+    pub error: &'static str,
+    /// The period of the controllers in s.
+    pub period: f64,
+    pub story: Story,
+}
+
 /// A plant to be compared on, whose controllers are those of chains of order N.
 pub trait World<const N: usize>: Sync {
-    fn name(&self) -> &'static str;
-
-    /// The quantity and the unit of errors, and those of the input.
-    fn units(&self) -> [&'static str; 2];
-
-    fn period(&self) -> f64;
-
-    fn story(&self) -> Story;
+    fn about(&self) -> About;
 
     fn contestants(&self) -> Result<Vec<Contestant<N>>, Error>;
 

@@ -6,7 +6,7 @@ use brunovsky::{
     prelude::*,
 };
 
-use super::{Law, Row, Story, Trial, World, recorded};
+use super::{About, Law, Row, Story, Trial, World, recorded};
 use crate::contestants::{self, Any, Contestant, Facts};
 
 /// A pendulum that is raised from hanging to horizontal, and there takes up half of its mass again, which nobody tells the controller.
@@ -23,20 +23,13 @@ const FACTS: Facts<2> = Facts {
 const STORY: Story = Story { settled: 4.0, switched: 5.0, steady: 8.0, end: 10.0 };
 
 impl World<2> for PendulumWorld {
-    fn name(&self) -> &'static str {
-        "pendulum with a wrong mass"
-    }
-
-    fn units(&self) -> [&'static str; 2] {
-        ["angle in rad", "torque in N·m"]
-    }
-
-    fn period(&self) -> f64 {
-        FACTS.period
-    }
-
-    fn story(&self) -> Story {
-        STORY
+    fn about(&self) -> About {
+        About {
+            name: "pendulum with a wrong mass",
+            error: "angle in rad",
+            period: FACTS.period,
+            story: STORY,
+        }
     }
 
     fn contestants(&self) -> Result<Vec<Contestant<2>>, Error> {

@@ -7,7 +7,7 @@ use brunovsky::{
     trajectory::ConstantSpeed,
 };
 
-use super::{Law, Row, Story, Trial, World, recorded};
+use super::{About, Law, Row, Story, Trial, World, recorded};
 use crate::contestants::{self, Any, Contestant, Facts};
 
 /// A tracked robot that starts 1 m beside its path and comes from firm onto soft ground, where its tracks slip, the more in turns.
@@ -35,20 +35,13 @@ fn soft(x: f64, y: f64) -> Traction<f64> {
 }
 
 impl World<2> for RobotWorld {
-    fn name(&self) -> &'static str {
-        "tracked robot"
-    }
-
-    fn units(&self) -> [&'static str; 2] {
-        ["distance across the first leg in m", "yaw rate in rad/s"]
-    }
-
-    fn period(&self) -> f64 {
-        FACTS.period
-    }
-
-    fn story(&self) -> Story {
-        STORY
+    fn about(&self) -> About {
+        About {
+            name: "tracked robot",
+            error: "distance across the first leg in m",
+            period: FACTS.period,
+            story: STORY,
+        }
     }
 
     fn contestants(&self) -> Result<Vec<Contestant<2>>, Error> {

@@ -4,7 +4,7 @@ use brunovsky::{
     prelude::*,
 };
 
-use super::{Law, Row, Story, Trial, World, recorded};
+use super::{About, Law, Row, Story, Trial, World, recorded};
 use crate::contestants::{self, Any, Contestant, Facts};
 
 /// The paper's third-order system from its initial state to rest, and then Δ = 5·sin t.
@@ -21,20 +21,8 @@ const FACTS: Facts<3> = Facts {
 const STORY: Story = Story { settled: 8.0, switched: 10.0, steady: 15.0, end: 20.0 };
 
 impl World<3> for ThirdOrderWorld {
-    fn name(&self) -> &'static str {
-        "third-order system"
-    }
-
-    fn units(&self) -> [&'static str; 2] {
-        ["x₁", "u"]
-    }
-
-    fn period(&self) -> f64 {
-        FACTS.period
-    }
-
-    fn story(&self) -> Story {
-        STORY
+    fn about(&self) -> About {
+        About { name: "third-order system", error: "x₁", period: FACTS.period, story: STORY }
     }
 
     fn contestants(&self) -> Result<Vec<Contestant<3>>, Error> {
