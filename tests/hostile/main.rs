@@ -45,5 +45,5 @@ macro_rules! withstand {
 }
 
 withstand! {
-    chain, channel, classical, decoupling, differentiator, elementary, gains, network, simulation, sliding, solver, trajectory, unicycle, watch, wrapped,
+    chain, channel, classical, decoupling, differentiator, elementary, gains, learner, network, simulation, sliding, solver, trajectory, unicycle, watch, wrapped,
 }

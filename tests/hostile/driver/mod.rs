@@ -4,6 +4,7 @@
 //! |---|---|
 //! | [`chain`] | feedback linearization and CLELC, with every source of ė_n and every rule |
 //! | [`classical`] | PID, linear-quadratic regulators, adaptive control, backstepping |
+//! | [`learner`] | CLELC with every other network and rule |
 //! | [`sliding`] | sliding modes, active disturbance rejection, and compensators on top of a controller |
 //! | [`decoupling`] | the two-link arm |
 //! | [`unicycle`] | the unicycle's controller, and the feedforward and heading of a planar reference |
@@ -33,6 +34,7 @@ pub mod decoupling;
 pub mod differentiator;
 pub mod elementary;
 pub mod gains;
+pub mod learner;
 pub mod network;
 pub mod simulation;
 pub mod sliding;

@@ -7,8 +7,8 @@ use brunovsky::{
     fuzzy::{FuzzyNetwork, Gaussian, Grid, Inputs, Travelling},
     learning::{
         AdaptationRule, Antecedents, BackwardDifference, Bounded, ClosedLoop, Conditional,
-        ErrorRate, FilteredDifference, Fixed, Flow, GradientDescent, Measured, ModelAided,
-        NeuroFuzzy, NullRule, SlidingMode, Switching,
+        ErrorRate, FeedbackError, FilteredDifference, Fixed, Flow, GradientDescent, Measured,
+        ModelAided, NeuroFuzzy, NullRule, SlidingMode, Switching,
     },
     plant::{FeedbackLinearizable, Pendulum, VanDerPol},
 };
@@ -23,6 +23,7 @@ pub enum Source<T> {
     Backward(BackwardDifference<T>),
     Filtered(FilteredDifference<T>),
     ModelAided(ModelAided<T>),
+    FeedbackError(FeedbackError),
 }
 
 /// Any source of ė_n.
@@ -37,6 +38,7 @@ impl<T: Float> AnySource<T> {
         let kind = bytes.byte();
         let source = match kind % 4 {
             0 => Source::Measured(Measured),
+            1 if kind & 8 != 0 => Source::FeedbackError(FeedbackError),
             1 => Source::Backward(BackwardDifference::new()),
             2 => Source::Filtered(FilteredDifference::new(bytes.parameter())?),
             _ => Source::ModelAided(ModelAided::new()),
@@ -56,6 +58,7 @@ impl<T: Float, const N: usize> ErrorRate<T, N> for Source<T> {
             Source::Backward(source) => source.error_rate(at, u_n, dt),
             Source::Filtered(source) => source.error_rate(at, u_n, dt),
             Source::ModelAided(source) => source.error_rate(at, u_n, dt),
+            Source::FeedbackError(source) => source.error_rate(at, u_n, dt),
         }
     }
 }
