@@ -21,7 +21,7 @@ use brunovsky::{
     trajectory::{Circle, ConstantSpeed, FigureEight, MinimumJerk, Quintic},
 };
 use serde::{Deserialize, de::value};
-use serde_json::{Value, json};
+use serde_json::json;
 
 use crate::support::{measured, reference, refusal};
 
