@@ -28,7 +28,7 @@ macro_rules! checked {
             use crate::{
                 array::Array,
                 checked::known,
-                error::{finite, not_negative, positive, positive_vector},
+                error::{at_most, finite, not_negative, positive, positive_vector},
             };
             #[allow(unused_imports)]
             use serde::{

@@ -228,3 +228,22 @@ impl<T: Scalar, const N: usize> Controller<N, 1> for ActiveDisturbanceRejection<
         self.last = None;
     }
 }
+
+checked! {
+    [T: Scalar, const N: usize] Estimated<T, N>, [T] { z: SVector<T, N>, f: T, u: T } =>
+    known("z", z.iter().copied()).and_then(|()| {
+        known("f and last u", [f, u])?;
+        Ok(Self { z, f, u })
+    })
+}
+
+checked! {
+    [T: Scalar, const N: usize] ActiveDisturbanceRejection<T, N>, [T]
+    {
+        gains: Gains<T, N>,
+        bandwidth: T,
+        input_gain: T,
+        last: Option<Estimated<T, N>>,
+    } =>
+    Self::new(gains, bandwidth, input_gain).map(|new| Self { last, ..new })
+}

@@ -1,8 +1,8 @@
 use nalgebra::SVector;
 
 use super::{
-    Accept, Command, Controller, FeedbackLinearization, Gains, Measurement, Reference,
-    feedback_linearization::linearizing,
+    Accept, Command, Controller, Gains, Measurement, Reference,
+    feedback_linearization::{closed_loop, linearizing},
 };
 use crate::{
     Error, Scalar,
@@ -32,7 +32,8 @@ use crate::{
 /// M. Krstić, I. Kanellakopoulos, P. Kokotović, *Nonlinear and Adaptive Control Design*, 1995, 2.3.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Backstepping<P: FeedbackLinearizable<N>, const N: usize> {
-    base: FeedbackLinearization<P, N>,
+    model: P,
+    gains: Gains<P::Scalar, N>,
     c: SVector<P::Scalar, N>,
 }
 
@@ -107,12 +108,12 @@ impl<P: FeedbackLinearizable<N>, const N: usize> Backstepping<P, N> {
     /// Those of [`Gains::from_backstepping`].
     pub fn new(model: P, c: impl Into<SVector<P::Scalar, N>>) -> Result<Self, Error> {
         let c = c.into();
-        Ok(Self { base: FeedbackLinearization::new(model, Gains::from_backstepping(c)?), c })
+        Ok(Self { model, gains: Gains::from_backstepping(c)?, c })
     }
 
     /// The gains k that it amounts to.
     pub fn gains(&self) -> &Gains<P::Scalar, N> {
-        self.base.gains()
+        &self.gains
     }
 
     /// z of an error e.
@@ -137,8 +138,9 @@ impl<P: FeedbackLinearizable<N>, const N: usize> Controller<N, 1> for Backsteppi
         dt: P::Scalar,
         accept: Accept<Self::Command>,
     ) -> Result<Self::Command, Error> {
-        let mode = LearningMode::Off;
-        let at = self.base.closed_loop(measurement, reference, dt, nalgebra::zero(), mode)?;
+        let feedback = |e: &_| self.gains.feedback(e);
+        let (last, off) = (nalgebra::zero(), LearningMode::Off);
+        let at = closed_loop(&self.model, feedback, measurement, reference, dt, last, off)?;
         let z = self.coordinates(&at.e);
         finite_vector("z", &z)?;
         let u = linearizing(&at, at.u_f + at.u_b)?;
@@ -148,4 +150,10 @@ impl<P: FeedbackLinearizable<N>, const N: usize> Controller<N, 1> for Backsteppi
     }
 
     fn reset(&mut self) {}
+}
+
+checked! {
+    [P: FeedbackLinearizable<N>, const N: usize] Backstepping<P, N>, [P, P::Scalar]
+    { model: P, c: SVector<P::Scalar, N>; gains } =>
+    Self::new(model, c)
 }

@@ -190,3 +190,22 @@ fn added<T: Scalar>(u_base: T, u_n: T, gain: T) -> Result<T, Error> {
     }
     finite("u", u_base + share)
 }
+
+checked! {
+    [T: Scalar] Inputs<T>, [T] { base: T, u: T } =>
+    known("last u", [base, u]).map(|()| Self { base, u })
+}
+
+checked! {
+    [C, P: FeedbackLinearizable<N>, K, const N: usize] Compensated<C, P, K, N>,
+    [C, P, K, P::Scalar]
+    {
+        base: C,
+        model: P,
+        compensator: K,
+        initial: K,
+        last: Option<Inputs<P::Scalar>>,
+        learning: LearningMode,
+    } =>
+    Ok(Self { base, model, compensator, initial, last, learning })
+}

@@ -25,7 +25,9 @@ impl<T: Scalar, const N: usize> Gains<T, N> {
         const { assert!(N > 0, "a chain has at least one integrator") };
         let k = k.into();
         finite_vector("gains", &k)?;
-        routh(k)?;
+        let mut descending = k;
+        descending.as_mut_slice().reverse();
+        routh(descending.as_mut_slice())?;
         Ok(Self { k })
     }
 
@@ -101,10 +103,9 @@ fn paired<T: Scalar>(pole: &Complex<T>, poles: &[Complex<T>]) -> Result<(), Erro
 ///
 /// Eliminating the leading coefficient with the row below it leaves a polynomial of one degree less with the same property, so
 /// one row is enough memory: `lead` and the entries after it.
-fn routh<T: Scalar, const N: usize>(k: SVector<T, N>) -> Result<(), Error> {
-    let mut descending = k;
-    descending.as_mut_slice().reverse();
-    let mut rest = descending.as_mut_slice();
+///
+/// `rest` holds k_N, …, k₁, and is overwritten.
+pub(super) fn routh<T: Scalar>(mut rest: &mut [T]) -> Result<(), Error> {
     let mut lead = T::one();
     let mut row = 0;
     while let Some((next, lower)) = rest.split_first_mut() {

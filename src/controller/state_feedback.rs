@@ -113,3 +113,9 @@ impl<T: Scalar, const NX: usize, const NU: usize> Controller<NX, NU> for StateFe
 
     fn reset(&mut self) {}
 }
+
+checked! {
+    [T: Scalar, const NX: usize, const NU: usize] StateFeedback<T, NX, NU>, [T]
+    { gain: SMatrix<T, NU, NX>, u0: SVector<T, NU> } =>
+    Self::new(gain, u0)
+}

@@ -5,11 +5,11 @@ use core::{fmt, marker::PhantomData};
 use nalgebra::SVector;
 use serde::{
     Deserialize, Deserializer, Serialize, Serializer,
-    de::{DeserializeOwned, SeqAccess, Visitor},
+    de::{DeserializeOwned, Error as _, SeqAccess, Visitor},
 };
 
 use super::{
-    FuzzyNetwork, Gaussian, Grid, Inputs, Rules,
+    FuzzyNetwork, Gaussian, Grid, Inputs, PerRule, Rules,
     travel::{Flowed, Travel},
 };
 use crate::{
@@ -99,7 +99,7 @@ where
     }
 }
 
-impl<T: Scalar + Serialize, const I: usize, const K: usize> Serialize for Rules<T, I, K>
+impl<V: PerRule + Serialize, const I: usize, const K: usize> Serialize for Rules<V, I, K>
 where
     Inputs<I>: Grid,
 {
@@ -108,33 +108,34 @@ where
     }
 }
 
-impl<'de, T: Scalar + DeserializeOwned, const I: usize, const K: usize> Deserialize<'de>
-    for Rules<T, I, K>
+impl<'de, V: PerRule + DeserializeOwned, const I: usize, const K: usize> Deserialize<'de>
+    for Rules<V, I, K>
 where
     Inputs<I>: Grid,
 {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let rules = Self::filled(T::zero()).len();
+        let rules = Rules::<(), I, K>::filled(()).len();
         deserializer.deserialize_tuple(rules, Values(PhantomData))
     }
 }
 
-struct Values<T, const I: usize, const K: usize>(PhantomData<T>);
+struct Values<V, const I: usize, const K: usize>(PhantomData<V>);
 
-impl<'de, T: Scalar + DeserializeOwned, const I: usize, const K: usize> Visitor<'de>
-    for Values<T, I, K>
+impl<'de, V: PerRule + DeserializeOwned, const I: usize, const K: usize> Visitor<'de>
+    for Values<V, I, K>
 where
     Inputs<I>: Grid,
 {
-    type Value = Rules<T, I, K>;
+    type Value = Rules<V, I, K>;
 
     fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
         write!(f, "{K}^{I} values")
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, mut entries: A) -> Result<Self::Value, A::Error> {
-        let mut rules = Rules::filled(T::zero());
-        array::fill(&mut rules, 0, &mut entries)?;
+        let first = entries.next_element()?.ok_or_else(|| A::Error::invalid_length(0, &self))?;
+        let mut rules = Rules::filled(first);
+        array::fill(&mut rules, 1, &mut entries)?;
         Ok(rules)
     }
 }

@@ -71,3 +71,7 @@ impl<T: Scalar> Triangular<T> {
         relative.map(|grade| grade / sum)
     }
 }
+
+checked! {
+    [T: Scalar] Triangular<T>, [T] { left: T, peak: T, right: T } => Self::new(left, peak, right)
+}

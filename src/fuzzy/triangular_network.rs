@@ -117,3 +117,14 @@ impl<T: Scalar, const I: usize, const K: usize> Over<T, I> for TriangularNetwork
     Inputs<I>: Grid
 {
 }
+
+checked! {
+    [T: Scalar, const I: usize, const K: usize] TriangularNetwork<T, I, K>, [T; Inputs<I>: Grid]
+    {
+        memberships: Array<Array<Triangular<T>, K>, I> = Array(memberships.map(Array)),
+        consequents: Rules<T, I, K>,
+    } => {
+        let mut network = Self::new(memberships.0.map(|row| row.0));
+        network.set_consequents(&consequents).map(|()| network)
+    }
+}

@@ -93,3 +93,14 @@ where
         self.rule.adapt(network, firing, s, dt);
     }
 }
+
+checked! {
+    [T: Scalar, A] AdaptiveSlidingMode<T, A>, [T, A]
+    { rule: SlidingMode<T, A>, growth: T, layer: T, floor: T, ceiling: Option<T> } =>
+    Self::new(rule, growth, layer).and_then(|new| {
+        at_most("floor of alpha", positive("floor of alpha", floor)?, new.alpha())?;
+        let Some(ceiling) = ceiling else { return Ok(Self { floor, ..new }) };
+        at_most("alpha", new.alpha(), finite("ceiling of alpha", ceiling)?)?;
+        Self { floor, ..new }.with_ceiling(ceiling)
+    })
+}

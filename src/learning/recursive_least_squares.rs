@@ -1,4 +1,6 @@
 use super::AdaptationRule;
+#[cfg(feature = "serde")]
+use crate::error::{at_most, finite};
 use crate::{
     Error, Scalar,
     error::positive,
@@ -93,6 +95,26 @@ where
         })
     }
 
+    /// The same, if its factors are those of a covariance that this rule comes to.
+    #[cfg(feature = "serde")]
+    fn factored(self) -> Result<Self, Error> {
+        for (j, column) in self.factors.iter().enumerate() {
+            for (i, entry) in column.iter().enumerate() {
+                finite("factor of the covariance", *entry)?;
+                if i == j {
+                    positive("diagonal factor of the covariance", *entry)?;
+                } else if i > j {
+                    at_most("size of what is below the factors", entry.abs(), T::zero())?;
+                }
+            }
+        }
+        let trace = finite("trace of the covariance", self.uncertainty())?;
+        // What forgetting fills up to P(0) is rounded.
+        let most = self.most() * constant(1.0 + 1e-3);
+        at_most("trace of the covariance", trace, most)?;
+        Ok(self)
+    }
+
     /// tr P(0).
     fn most(&self) -> T {
         self.variance * constant(self.factors.len() as f64)
@@ -180,4 +202,17 @@ where
             }
         });
     }
+}
+
+checked! {
+    [T: Scalar, const I: usize, const K: usize] RecursiveLeastSquares<T, I, K>,
+    [T; Inputs<I>: Grid]
+    { factors: Rules<Rules<T, I, K>, I, K>, variance: T, memory: Option<T> } =>
+    Self::new(variance).and_then(|new| {
+        let new = match memory {
+            Some(memory) => new.with_memory(memory)?,
+            None => new,
+        };
+        Self { factors, ..new }.factored()
+    })
 }

@@ -40,11 +40,11 @@ in_both_precisions! {
 }
 
 /// What every part of a controller under test can do.
-trait Part: Clone + Serialize + DeserializeOwned + PartialEq + Debug {}
+pub trait Part: Clone + Serialize + DeserializeOwned + PartialEq + Debug {}
 
 impl<P: Clone + Serialize + DeserializeOwned + PartialEq + Debug> Part for P {}
 
-fn pendulum<T: Number>() -> FeedbackLinearization<Pendulum<T>, 2> {
+pub fn pendulum<T: Number>() -> FeedbackLinearization<Pendulum<T>, 2> {
     let pendulum = Pendulum::new(num(1.3), num(0.5), num(0.1), num(9.81)).unwrap();
     FeedbackLinearization::new(pendulum, Gains::from_lambda(num(3.0)).unwrap())
 }
@@ -53,7 +53,7 @@ fn chain<T: Number>() -> FeedbackLinearization<IntegratorChain<T, 2>, 2> {
     FeedbackLinearization::new(IntegratorChain::new(), Gains::from_lambda(num(1.1)).unwrap())
 }
 
-fn rule<T: Number>() -> SlidingMode<T> {
+pub fn rule<T: Number>() -> SlidingMode<T> {
     SlidingMode::new(num(7.0)).unwrap()
 }
 
@@ -69,7 +69,7 @@ fn learner<T: Number>() -> NeuroFuzzy<FuzzyNetwork<T, 2, 3>, ModelAided<T>, Slid
     neuro_fuzzy(ModelAided::new(), rule())
 }
 
-fn clelc_goes_on<T: Number, C: Compensator<T, 2> + Part>(compensator: C) {
+pub fn clelc_goes_on<T: Number, C: Compensator<T, 2> + Part>(compensator: C) {
     goes_on(Clelc::new(pendulum::<T>(), compensator), |k| reference(k, 0.0));
 }
 

@@ -20,24 +20,10 @@ use brunovsky::{
     simulation::{ErrorMetrics, StepInfo},
     trajectory::{Circle, ConstantSpeed, FigureEight, MinimumJerk, Quintic},
 };
-use serde::{
-    Deserialize, Serialize,
-    de::{DeserializeOwned, value},
-};
-use serde_json::{Value, json};
+use serde::{Deserialize, de::value};
+use serde_json::json;
 
-use crate::support::{measured, reference};
-
-/// Why `saved` with `value` at the place `pointer` is not loaded.
-fn refusal<S: Serialize + DeserializeOwned>(saved: &S, pointer: &str, value: Value) -> String {
-    let mut file = serde_json::to_value(saved).unwrap();
-    assert!(serde_json::from_value::<S>(file.clone()).is_ok());
-    *file.pointer_mut(pointer).unwrap_or_else(|| panic!("no {pointer}")) = value;
-    match serde_json::from_value::<S>(file) {
-        Ok(_) => panic!("{pointer} was loaded"),
-        Err(error) => error.to_string(),
-    }
-}
+use crate::support::{measured, reference, refusal};
 
 type Loop = Clelc<
     IntegratorChain<f64, 2>,

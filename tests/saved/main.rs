@@ -5,10 +5,12 @@
 
 #[macro_use]
 #[path = "../common/laws.rs"]
-mod laws;
+mod precisions;
 
 mod controllers;
 mod hostile;
+mod hostile_laws;
+mod laws;
 mod mutated;
 mod parts;
 mod support;

@@ -5,6 +5,7 @@ use brunovsky::{
     controller::{Controller, Measurement, Reference},
 };
 use serde::{Serialize, de::DeserializeOwned};
+use serde_json::Value;
 
 /// A scalar that can be saved.
 pub trait Number: Scalar + Serialize + DeserializeOwned {}
@@ -28,6 +29,17 @@ pub fn comes_back<S: Serialize + DeserializeOwned + PartialEq + Debug>(saved: &S
         assert_eq!(&read, saved);
         // Equality does not see the sign of a zero; the text does.
         assert_eq!(format!("{read:?}"), format!("{saved:?}"));
+    }
+}
+
+/// Why `saved` with `value` at the place `pointer` is not loaded.
+pub fn refusal<S: Serialize + DeserializeOwned>(saved: &S, pointer: &str, value: Value) -> String {
+    let mut file = serde_json::to_value(saved).unwrap();
+    assert!(serde_json::from_value::<S>(file.clone()).is_ok());
+    *file.pointer_mut(pointer).unwrap_or_else(|| panic!("no {pointer}")) = value;
+    match serde_json::from_value::<S>(file) {
+        Ok(_) => panic!("{pointer} was loaded"),
+        Err(error) => error.to_string(),
     }
 }
 

@@ -5,6 +5,11 @@ use crate::{Error, Scalar, error::positive};
 /// Without it, noise and whatever is not of the form θᵀφ(x) move the parameters for ever where the regressor does not hold them (parameter
 /// drift). Leakage bounds them and costs a steady error, a [`Projection`](super::Projection) does not.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(deny_unknown_fields)
+)]
 pub enum Leakage<T> {
     /// Nothing does.
     #[default]

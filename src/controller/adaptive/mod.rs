@@ -89,6 +89,7 @@ where
 {
     base: FeedbackLinearization<P, N>,
     regressor: F,
+    q: SVector<P::Scalar, N>,
     lyapunov: SMatrix<P::Scalar, N, N>,
     learning: Learning<P::Scalar, L>,
     start: Option<SVector<P::Scalar, N>>,
@@ -149,6 +150,7 @@ where
             lyapunov: lyapunov(&a, &SMatrix::from_diagonal(&q))?,
             base,
             regressor,
+            q,
             learning,
             start: None,
             mode: LearningMode::Active,
@@ -328,4 +330,25 @@ where
     fn set_learning(&mut self, mode: LearningMode) {
         self.mode = mode;
     }
+}
+
+checked! {
+    [P: FeedbackLinearizable<N>, F: Regressor<P::Scalar, N, L>, const N: usize, const L: usize]
+    ModelReferenceAdaptive<P, F, N, L>, [P, F, P::Scalar]
+    {
+        base: FeedbackLinearization<P, N>,
+        regressor: F,
+        q: SVector<P::Scalar, N>,
+        learning: Learning<P::Scalar, L>,
+        start: Option<SVector<P::Scalar, N>>,
+        mode: LearningMode,
+        learned: Parameters<P::Scalar, L>,
+        last: Option<Past<P::Scalar, N, L>>;
+        lyapunov
+    } =>
+    Self::new(base, regressor, nalgebra::one(), q).and_then(|new| {
+        known("x_m", start.iter().flatten().copied())?;
+        learning.allows(&learned)?;
+        Ok(Self { learning, start, mode, learned, last, ..new })
+    })
 }

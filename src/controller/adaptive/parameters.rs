@@ -1,6 +1,8 @@
 use nalgebra::SVector;
 
 use super::{Leakage, Projection};
+#[cfg(feature = "serde")]
+use crate::error::at_most;
 use crate::{
     Error, Scalar,
     error::{below, positive, value},
@@ -57,10 +59,20 @@ impl<T: Scalar, const L: usize> Learning<T, L> {
 
     fn allowed(&self, Parameters { theta, kappa }: Parameters<T, L>) -> Parameters<T, L> {
         let theta = self.projection.nearest(theta);
-        let Some((_, [lower, upper])) = self.effectiveness else {
-            return Parameters { theta, kappa };
-        };
+        let known = [T::one(); 2];
+        let [lower, upper] = self.effectiveness.map_or(known, |(_, range)| range);
         Parameters { theta, kappa: kappa.max(lower).min(upper) }
+    }
+
+    /// Checks that `parameters` are where they are kept.
+    #[cfg(feature = "serde")]
+    pub fn allows(&self, parameters: &Parameters<T, L>) -> Result<(), Error> {
+        let allowed = self.allowed(*parameters);
+        let outside = (parameters.theta - allowed.theta).amax();
+        at_most("distance of theta from the projection", outside, T::zero())?;
+        let outside = (parameters.kappa - allowed.kappa).abs();
+        at_most("distance of kappa from its range", outside, T::zero())?;
+        Ok(())
     }
 
     /// What `now` becomes after a period `dt` in which φ = `phi` and μ = `mu` were what made `s`; `reach` is what a unit of ẋ_n over the period
@@ -98,4 +110,31 @@ pub(super) fn usable<T: Scalar>(x: T) -> bool {
 /// `x`, which is to be remembered, if it is [`usable`].
 pub(super) fn remembered<T: Scalar>(name: &'static str, x: T) -> Result<T, Error> {
     if usable(x) { Ok(x) } else { Err(Error::NonFinite { name, value: value(x) }) }
+}
+
+checked! {
+    [T: Scalar, const L: usize] Parameters<T, L>, [T] { theta: SVector<T, L>, kappa: T } =>
+    known("theta", theta.iter().copied()).and_then(|()| {
+        Ok(Self { theta, kappa: positive("kappa", kappa)? })
+    })
+}
+
+checked! {
+    [T: Scalar, const L: usize] Learning<T, L>, [T]
+    {
+        rate: T,
+        leakage: Leakage<T>,
+        projection: Projection<T, L>,
+        effectiveness: Option<(T, [T; 2])>,
+        initial: Parameters<T, L>,
+    } =>
+    Self::new(rate).and_then(|new| {
+        let learning = new.with_leakage(leakage)?.with_projection(projection)?;
+        let learning = match effectiveness {
+            Some((rate, range)) => learning.with_effectiveness(rate, range)?,
+            None => learning,
+        };
+        learning.allows(&initial)?;
+        Ok(Self { initial, ..learning })
+    })
 }

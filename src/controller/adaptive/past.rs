@@ -1,5 +1,7 @@
 use nalgebra::SVector;
 
+#[cfg(feature = "serde")]
+use super::remembered;
 use crate::{Scalar, scalar::constant};
 
 /// What the law remembers of a sample.
@@ -36,5 +38,19 @@ pub(super) fn advanced<T: Scalar, const N: usize>(
         let tail =
             (i + 1..N).rev().fold(last, |tail, j| (x[j] + tail) * h / constant((j - i) as f64));
         x[i] + tail
+    })
+}
+
+checked! {
+    [T: Scalar, const N: usize, const L: usize] Past<T, N, L>, [T]
+    { model: SVector<T, N>, rate: T, phi: SVector<T, L>, mu: T, gain: T, asked: T } =>
+    known("last state of the model", model.iter().copied()).and_then(|()| {
+        known("last b(x) and u", [gain, asked])?;
+        for phi in phi.iter() {
+            remembered("phi(x)", *phi)?;
+        }
+        remembered("rate of the model", rate)?;
+        remembered("-a(x) + nu", mu)?;
+        Ok(Self { model, rate, phi, mu, gain, asked })
     })
 }

@@ -9,6 +9,17 @@ use crate::{
 /// The set that the parameters of a [`ModelReferenceAdaptive`](super::ModelReferenceAdaptive) stay in: the nearest point of it takes the place of
 /// one outside, so they come no farther from any point inside.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(
+        deny_unknown_fields,
+        bound(
+            serialize = "T: Scalar + serde::Serialize",
+            deserialize = "T: Scalar + serde::de::DeserializeOwned"
+        )
+    )
+)]
 pub enum Projection<T, const L: usize> {
     /// Everything.
     #[default]

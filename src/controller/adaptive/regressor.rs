@@ -21,6 +21,7 @@ where
 
 /// φ(x) = x: a linear plant whose coefficients are not known.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct StateRegressor;
 
 impl<T: Scalar, const N: usize> Regressor<T, N, N> for StateRegressor {

@@ -5,6 +5,11 @@ use crate::{Error, Scalar, error::not_negative};
 /// What arrived comes with the measurement, as `applied`: from [`Limited`](crate::controller::Limited) or from the actuators themselves. Without a
 /// report, what was asked for is taken to have arrived.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(deny_unknown_fields)
+)]
 pub enum AntiWindup<T> {
     /// The integral goes on: it winds up behind a limit.
     None,

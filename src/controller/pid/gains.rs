@@ -72,3 +72,8 @@ impl<T: Scalar> PidGains<T> {
         self.c * r - y
     }
 }
+
+checked! {
+    [T: Scalar] PidGains<T>, [T] { k: T, k_i: T, k_d: T, t_f: T, b: T, c: T } =>
+    Self::parallel(k, k_i, k_d, t_f).and_then(|gains| gains.with_weights(b, c))
+}

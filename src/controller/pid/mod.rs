@@ -205,3 +205,19 @@ impl<T: Scalar, const N: usize> Controller<N, 1> for Pid<T, N> {
         (self.start, self.last) = (None, None);
     }
 }
+
+checked! {
+    [T: Scalar] Past<T>, [T] { i: T, d: T, r: T, y: T, u: T } =>
+    known("last sample", [i, d, r, y, u]).map(|()| Self { i, d, r, y, u })
+}
+
+checked! {
+    [T: Scalar, const N: usize] Pid<T, N>, [T]
+    { gains: PidGains<T>, anti_windup: AntiWindup<T>, start: Option<T>, last: Option<Past<T>> } =>
+    Self::new(gains, anti_windup).and_then(|new| {
+        known("u", start)?;
+        // The shortest of all periods refuses nothing that any other accepts.
+        let last = last.map(|last| last.lasting(&gains, T::zero())).transpose()?;
+        Ok(Self { start, last, ..new })
+    })
+}

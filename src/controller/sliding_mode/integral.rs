@@ -100,3 +100,13 @@ impl<T: Scalar, E: ErrorRate<T, N> + Clone, const N: usize> Compensator<T, N>
         Ok(compensation)
     }
 }
+
+checked! {
+    [T: Scalar, E] IntegralSlidingMode<T, E>, [T, E]
+    { k: T, switching: Switching<T>, error_rate: E, sigma: T, u_n: T } =>
+    Self::with_error_rate(k, error_rate).and_then(|new| {
+        finite("sigma", sigma)?;
+        at_most("size of u_n", finite("u_n", u_n)?.abs(), k)?;
+        Ok(Self { sigma, u_n, ..new.with_switching(switching)? })
+    })
+}

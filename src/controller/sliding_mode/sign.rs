@@ -6,6 +6,11 @@ use crate::{
 
 /// How sgn(σ) is realized.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(deny_unknown_fields)
+)]
 pub(super) enum Sign<T> {
     /// As the sign of the learning rules.
     Switched(Switching<T>),

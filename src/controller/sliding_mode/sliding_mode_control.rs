@@ -174,3 +174,14 @@ impl<P: FeedbackLinearizable<N>, const N: usize> Controller<N, 1> for SlidingMod
 
     fn reset(&mut self) {}
 }
+
+checked! {
+    [P: FeedbackLinearizable<N>, const N: usize] SlidingModeControl<P, N>, [P, P::Scalar]
+    {
+        model: P,
+        surface: SlidingSurface<P::Scalar, N>,
+        k: P::Scalar,
+        sign: Sign<P::Scalar>,
+    } =>
+    Self::new(model, surface, k).and_then(|new| Ok(Self { sign: sign.validated()?, ..new }))
+}

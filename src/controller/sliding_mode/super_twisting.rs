@@ -53,6 +53,7 @@ pub struct SuperTwisting<P: FeedbackLinearizable<N>, const N: usize> {
 
 /// How [`SuperTwisting`] is discretized.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Stepping {
     /// Forward Euler.
     Explicit,
@@ -191,4 +192,24 @@ impl<P: FeedbackLinearizable<N>, const N: usize> Controller<N, 1> for SuperTwist
     fn reset(&mut self) {
         self.last = None;
     }
+}
+
+checked! {
+    [T: Scalar] Step<T>, [T] { start: T, end: T, reach: T, sum: T, u: T, gain: T } =>
+    known("w", [start, end]).and_then(|()| {
+        known("last u_s + w, u and b(x)", [sum, u, gain])?;
+        Ok(Self { start, end, reach: not_negative("k2*dt", reach)?, sum, u, gain })
+    })
+}
+
+checked! {
+    [P: FeedbackLinearizable<N>, const N: usize] SuperTwisting<P, N>, [P, P::Scalar]
+    {
+        model: P,
+        surface: SlidingSurface<P::Scalar, N>,
+        gains: SuperTwistingGains<P::Scalar>,
+        stepping: Stepping,
+        last: Option<Step<P::Scalar>>,
+    } =>
+    Ok(Self { model, surface, gains, stepping, last })
 }

@@ -122,3 +122,5 @@ impl<T: Scalar> SuperTwistingGains<T> {
 pub(super) fn sgn<T: Scalar>(x: T) -> T {
     if x.is_zero() { x } else { T::one().copysign(x) }
 }
+
+checked! { [T: Scalar] SuperTwistingGains<T>, [T] { k1: T, k2: T } => Self::new(k1, k2) }

@@ -25,13 +25,16 @@ use crate::{
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SlidingSurface<T, const N: usize>(SVector<T, N>);
+pub struct SlidingSurface<T, const N: usize> {
+    c: SVector<T, N>,
+}
 
 impl<T: Scalar, const N: usize> SlidingSurface<T, N> {
     /// The surface with (c₁, …, c_{N−1}) as Hurwitz as `gains` are; M = N − 1.
     pub fn new<const M: usize>(gains: Gains<T, M>) -> Self {
         const { assert!(M + 1 == N, "a surface has one coefficient less than the plant's order") };
-        Self(SVector::from_fn(|i, _| gains.as_vector().get(i).copied().unwrap_or(T::one())))
+        let gains = gains.as_vector();
+        Self { c: SVector::from_fn(|i, _| gains.get(i).copied().unwrap_or(T::one())) }
     }
 
     /// All poles at −λ: (p + λ)ᴺ⁻¹, so c_i = C(N−1, i−1)·λ^(N−i). λ > 0 in 1/s; for N = 1 it has nothing to decide.
@@ -51,22 +54,35 @@ impl<T: Scalar, const N: usize> SlidingSurface<T, N> {
         }
         finite_vector("surface", &c)?;
         positive("c1", c[0])?;
-        Ok(Self(c))
+        Ok(Self { c })
     }
 
     /// The coefficients (c₁, …, c_{N−1}, 1).
     pub fn as_vector(&self) -> &SVector<T, N> {
-        &self.0
+        &self.c
     }
 
     /// The sliding variable σ of the error e.
     pub fn value(&self, e: &SVector<T, N>) -> T {
-        self.0.dot(e)
+        self.c.dot(e)
     }
 
     /// Σ c_i·e_{i+1}, the part of σ̇ that is known without the plant: the feedback u_b under which σ stands still.
     pub fn feedback(&self, e: &SVector<T, N>) -> T {
-        let pairs = self.0.iter().zip(e.iter().skip(1));
+        let pairs = self.c.iter().zip(e.iter().skip(1));
         pairs.fold(T::zero(), |sum, (c, e)| sum + *c * *e)
     }
+}
+
+checked! {
+    [T: Scalar, const N: usize] SlidingSurface<T, N>, [T] { c: SVector<T, N> } =>
+    finite_vector("surface", &c).and_then(|()| {
+        let mut descending = c;
+        descending.as_mut_slice().reverse();
+        let parts = descending.as_mut_slice().split_first_mut();
+        let (last, gains) = parts.ok_or(Error::Missing { name: "surface" })?;
+        at_most("distance of c_N from 1", (*last - T::one()).abs(), T::zero())?;
+        crate::controller::gains::routh(gains)?;
+        Ok(Self { c })
+    })
 }

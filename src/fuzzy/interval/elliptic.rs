@@ -113,3 +113,8 @@ impl<T: Scalar, const K: usize> Relative<T, K> {
         self.grades.map(|grade| grade / self.sum)
     }
 }
+
+checked! {
+    [T: Scalar] Elliptic<T>, [T] { centre: T, reach: T, exponents: [T; 2] } =>
+    Self::new(centre, reach, exponents)
+}

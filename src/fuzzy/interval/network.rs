@@ -216,3 +216,17 @@ where
     Inputs<I>: Grid,
 {
 }
+
+checked! {
+    [M: IntervalMembership<T>, T: Scalar, const I: usize, const K: usize]
+    IntervalNetwork<M, T, I, K>, [M, T; Inputs<I>: Grid]
+    {
+        memberships: Array<Array<M, K>, I> = Array(memberships.map(Array)),
+        reduction: TypeReduction<T>,
+        consequents: Rules<T, I, K>,
+    } =>
+    Self::new(memberships.0.map(|row| row.0), reduction).and_then(|mut network| {
+        network.set_consequents(&consequents)?;
+        Ok(network)
+    })
+}

@@ -16,6 +16,11 @@ use crate::{
 /// M. Biglarbegian, W. W. Melek, J. M. Mendel, "On the stability of interval type-2 TSK fuzzy logic control systems", IEEE Transactions on Systems, Man,
 /// and Cybernetics B 40(3), 2010.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(deny_unknown_fields)
+)]
 pub enum TypeReduction<T> {
     /// The middle of each interval.
     #[default]

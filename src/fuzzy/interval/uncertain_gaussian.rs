@@ -71,3 +71,7 @@ impl<T: Scalar> IntervalMembership<T> for UncertainGaussian<T> {
         }
     }
 }
+
+checked! {
+    [T: Scalar] UncertainGaussian<T>, [T] { centre: T, widths: [T; 2] } => Self::new(centre, widths)
+}

@@ -24,6 +24,7 @@ use crate::{Error, Scalar, learning::ClosedLoop};
 /// Cybernetics 57, 1987. With a sliding-mode rule: E. Kayacan, E. Kayacan, H. Ramon, W. Saeys, "Adaptive neuro-fuzzy control of a spherical
 /// rolling robot using sliding-mode-control-theory-based online learning algorithm", IEEE Transactions on Cybernetics 43(1), 2013.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct FeedbackError;
 
 impl<T: Scalar, const N: usize> ErrorRate<T, N> for FeedbackError {
