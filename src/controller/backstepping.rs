@@ -1,5 +1,7 @@
 use nalgebra::SVector;
 
+#[cfg(doc)]
+use super::FeedbackLinearization;
 use super::{
     Accept, Command, Controller, Gains, Measurement, Reference,
     feedback_linearization::{closed_loop, linearizing},
