@@ -57,6 +57,12 @@ impl<const N: usize> Noisy for Reference<Real, N> {
     }
 }
 
+impl<const NX: usize> Noisy for SVector<Real, NX> {
+    fn noisy(noise: &mut Noise) -> Self {
+        noise.vector()
+    }
+}
+
 impl<R: Noisy, const M: usize> Noisy for [R; M] {
     fn noisy(noise: &mut Noise) -> Self {
         core::array::from_fn(|_| R::noisy(noise))
