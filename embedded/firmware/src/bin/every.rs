@@ -28,8 +28,9 @@ use brunovsky::{
 };
 use cortex_m_rt::entry;
 use firmware::{
+    by_hand::ByHand,
     exit,
-    hostile::{Noise, stand},
+    hostile::{Noise, agree, stand},
 };
 use replay::{Real, chain, feedback, trained};
 
@@ -43,6 +44,10 @@ fn every() -> Result<(), Error> {
     rules(noise)?;
     networks(noise)?;
     sources(noise)?;
+    for switching in [Switching::SetValued, Switching::Implicit { delta: 2.0 }] {
+        let rule = SlidingMode::new(5.0)?.with_switching(switching)?;
+        agree(ByHand::new(rule)?, chain::<_, _, 2, 3>(ModelAided::new(), rule)?, noise);
+    }
     stand(feedback::<1>()?, noise);
     stand(feedback::<6>()?, noise);
     stand(Clelc::new(feedback::<2>()?, NullCompensator::new(Measured)), noise);
