@@ -1,9 +1,9 @@
 //! Calls of any kind, with numbers of any bits.
 
-use brunovsky::prelude::*;
+use brunovsky::{controller::ClelcCommand, prelude::*};
 use replay::Real;
 
-use crate::failed;
+use crate::{by_hand::ByHand, failed};
 
 /// A sequence of numbers of any bits: xorshift (G. Marsaglia, "Xorshift RNGs", 2003), and now and then a number as sensors send them.
 pub struct Noise(u64);
@@ -57,6 +57,12 @@ impl<const N: usize> Noisy for Reference<Real, N> {
     }
 }
 
+impl<const NX: usize> Noisy for SVector<Real, NX> {
+    fn noisy(noise: &mut Noise) -> Self {
+        noise.vector()
+    }
+}
+
 impl<R: Noisy, const M: usize> Noisy for [R; M] {
     fn noisy(noise: &mut Noise) -> Self {
         core::array::from_fn(|_| R::noisy(noise))
@@ -86,5 +92,37 @@ where
                 failed();
             }
         }
+    }
+}
+
+/// Calls the law written `by_hand` and the `composed` one alike: where one has an answer, the other has the same to the last bit.
+pub fn agree<C>(mut by_hand: ByHand, mut composed: C, noise: &mut Noise)
+where
+    C: Controller<
+            2,
+            1,
+            Scalar = Real,
+            Reference = Reference<Real, 2>,
+            Command = ClelcCommand<Real>,
+        >,
+{
+    let bits = |shown: ClelcCommand<Real>| {
+        let ClelcCommand { u, u_f, u_b, u_n, s } = shown;
+        [u, u_f, u_b, u_n, s].map(Real::to_bits)
+    };
+    let mut answers = 0;
+    for _ in 0..1000 {
+        let measurement = noise.measurement();
+        let reference = Reference::noisy(noise);
+        let dt = noise.number().abs();
+        let one = by_hand.update(&measurement, &reference, dt).ok().map(bits);
+        let other = composed.update(&measurement, &reference, dt).ok().map(bits);
+        if one != other {
+            failed();
+        }
+        answers += u32::from(one.is_some());
+    }
+    if answers < 100 {
+        failed();
     }
 }

@@ -1,6 +1,7 @@
 //! What the programs on the board share: output to the debugger, and a panic handler that does not exist.
 #![no_std]
 
+pub mod by_hand;
 pub mod hostile;
 pub mod measure;
 pub mod stack;

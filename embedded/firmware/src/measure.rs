@@ -1,10 +1,12 @@
 //! Instructions, stack and memory of a control step.
 
+use core::hint::black_box;
+
 use brunovsky::{Error, elementary::sin, prelude::*};
 use cortex_m::peripheral::{Peripherals, SYST, syst::SystClkSource};
 use replay::{Real, Study, rows};
 
-use crate::{print_row, stack};
+use crate::{by_hand::ByHand, print_row, stack};
 
 /// Measures `study` on its recording.
 pub fn study<S: Study>(recording: &[u8]) -> Result<(), Error> {
@@ -18,14 +20,53 @@ pub fn nothing() -> Result<(), Error> {
 }
 
 /// Measures `controller` at rest at 0, with a state that moves along smooth waves.
-pub fn waves<C, const N: usize>(mut controller: C) -> Result<(), Error>
+pub fn waves<C, const N: usize>(controller: C) -> Result<(), Error>
 where
     C: Controller<N, 1, Scalar = Real, Reference = Reference<Real, N>>,
 {
-    measure(size_of::<C>(), states(), |x: &SVector<Real, N>| {
-        let measurement = Measurement::new(*x).with_rate(SVector::zeros());
-        controller.update(&measurement, &Reference::setpoint(0.0), 0.01)
-    })
+    holding(controller, Reference::setpoint(0.0))
+}
+
+/// Measures `controller` with a `reference` that rests.
+pub fn holding<C, const N: usize>(mut controller: C, reference: C::Reference) -> Result<(), Error>
+where
+    C: Controller<N, 1, Scalar = Real>,
+{
+    steps(size_of::<C>(), reference, |x, r, dt| controller.update(x, r, dt))
+}
+
+/// Measures `controller` as one of those that are chosen at run time.
+pub fn behind_dyn<C, const N: usize>(mut controller: C) -> Result<(), Error>
+where
+    C: Controller<N, 1, Scalar = Real, Reference = Reference<Real, N>> + 'static,
+{
+    // Without the box the compiler knows what was chosen.
+    let chosen: &mut Dynamic<C, N> = black_box(&mut controller);
+    steps(size_of::<C>(), Reference::setpoint(0.0), |x, r, dt| chosen.update(x, r, dt))
+}
+
+type Dynamic<C, const N: usize> = dyn Controller<
+        N,
+        1,
+        Scalar = Real,
+        Reference = Reference<Real, N>,
+        Command = <C as Controller<N, 1>>::Command,
+    >;
+
+/// Measures the law that is written by hand.
+pub fn by_hand(mut law: ByHand) -> Result<(), Error> {
+    steps(size_of::<ByHand>(), Reference::setpoint(0.0), |x, r, dt| law.update(x, r, dt))
+}
+
+/// What a controller is given comes out of black boxes, so that no part of a step is done when the program is built.
+fn steps<R, D, const N: usize>(
+    size: usize,
+    reference: R,
+    mut step: impl FnMut(&Measurement<Real, N, 1>, &R, Real) -> Result<D, Error>,
+) -> Result<(), Error> {
+    let (reference, dt) = (black_box(reference), black_box(0.01));
+    let measured = |x: SVector<Real, N>| black_box(Measurement::new(x).with_rate(SVector::zeros()));
+    measure(size, states().map(measured), |x| step(x, &reference, dt))
 }
 
 /// Smooth waves, off every centre at the start.
@@ -70,7 +111,7 @@ fn measure<R, D>(
 /// Out of line, as a call from an interrupt would be.
 #[inline(never)]
 fn called<R, D>(step: &mut impl FnMut(&R) -> Result<D, Error>, row: &R) -> Result<(), Error> {
-    core::hint::black_box(step(row)?);
+    black_box(step(row)?);
     Ok(())
 }
 

@@ -18,24 +18,23 @@ pub(super) struct Balanced<T, const N: usize> {
 }
 
 /// No unit is changed by more than 2 to this power: where an entry of D has no bound it has no use either.
-const REACH: i32 = 40;
+const REACH: u8 = 40;
 
 impl<T: Scalar, const N: usize> Balanced<T, N> {
     /// By coordinate descent: the sum of all entries is convex in the logarithm of each unit.
     pub fn new(a: SMatrix<T, N, N>, g: SMatrix<T, N, N>, q: SMatrix<T, N, N>) -> Self {
         let mut balanced = Self { a, g, q, units: SVector::repeat(T::one()) };
-        let mut powers = [0_i32; N];
-        let (two, half) = (constant::<T>(2.0), constant::<T>(0.5));
         let gain: T = constant(0.95);
+        let farthest = constant::<T>((1_u64 << REACH) as f64);
+        let within = |unit: T| unit <= farthest && unit.recip() <= farthest;
         for _ in 0..REACH {
             let mut moved = false;
-            for (i, power) in powers.iter_mut().enumerate() {
-                for (factor, step) in [(two, 1), (half, -1)] {
-                    while (*power + step).abs() <= REACH
+            for i in 0..N {
+                for factor in [constant(2.0), constant(0.5)] {
+                    while within(balanced.units[i] * factor)
                         && balanced.sum(i, factor) < gain * balanced.sum(i, T::one())
                     {
                         balanced.change(i, factor);
-                        *power += step;
                         moved = true;
                     }
                 }

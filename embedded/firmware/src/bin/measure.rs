@@ -3,16 +3,25 @@
 #![no_std]
 #![no_main]
 
+use core::hint::black_box;
+
 use brunovsky::{
     Error,
+    controller::{
+        ActiveDisturbanceRejection, StateRegressor,
+        lqr::Weights,
+        sliding_mode::{SlidingModeControl, SlidingSurface, SuperTwisting, SuperTwistingGains},
+    },
     fuzzy::{IntervalNetwork, TriangularNetwork, TypeReduction, UncertainGaussian},
     learning::{Fixed, RecursiveLeastSquares},
+    plant::{IntegratorChain, Jacobians},
     prelude::*,
 };
 use cortex_m_rt::entry;
 use firmware::{
+    by_hand::ByHand,
     exit,
-    measure::{nothing, study, waves},
+    measure::{behind_dyn, by_hand, holding, nothing, study, waves},
     recordings,
 };
 use replay::{Real, Robot, ThirdOrderLoop, chain, feedback, trained};
@@ -35,12 +44,21 @@ subjects! {
     "nothing" => nothing(),
     "feedback linearization, N = 2" => waves::<_, 2>(feedback()?),
     "feedback linearization, N = 3" => waves::<_, 3>(feedback()?),
+    "PID with filtered derivative and anti-windup" => waves::<_, 2>(pid()?),
+    "state feedback, N = 2" => holding::<_, 2>(StateFeedback::new([[10.0], [5.0]].into(), [0.0])?, SVector::zeros()),
+    "state feedback, N = 2, LQR gain computed on the board" => holding::<_, 2>(regulator()?, SVector::zeros()),
+    "model reference adaptive control, N = 2" => waves::<_, 2>(adaptive()?),
+    "sliding mode control, N = 2" => waves::<_, 2>(SlidingModeControl::new(IntegratorChain::new(), SlidingSurface::from_lambda(2.0)?, 3.0)?),
+    "super-twisting, N = 2" => waves::<_, 2>(super_twisting()?),
+    "active disturbance rejection, N = 2" => waves::<_, 2>(ActiveDisturbanceRejection::new(Gains::from_lambda(2.0)?, 20.0, 1.0)?),
     "CLELC, N = 2, K = 3" => waves(chain::<_, _, 2, 3>(BackwardDifference::new(), set_valued()?)?),
     "CLELC, N = 2, K = 5" => waves(chain::<_, _, 2, 5>(BackwardDifference::new(), set_valued()?)?),
     "CLELC, N = 3, K = 3" => waves(chain::<_, _, 3, 3>(BackwardDifference::new(), set_valued()?)?),
     "CLELC, N = 3, K = 5" => waves(chain::<_, _, 3, 5>(BackwardDifference::new(), set_valued()?)?),
     "CLELC, N = 4, K = 3" => waves(chain::<_, _, 4, 3>(BackwardDifference::new(), set_valued()?)?),
     "model-aided, boundary layer, N = 2, K = 3" => waves(chain::<_, _, 2, 3>(ModelAided::new(), layered()?)?),
+    "the same by hand, N = 2, K = 3" => by_hand(ByHand::new(layered()?)?),
+    "the same behind dyn, N = 2, K = 3" => behind_dyn(chain::<_, _, 2, 3>(ModelAided::new(), layered()?)?),
     "model-aided, boundary layer, N = 3, K = 3" => waves(chain::<_, _, 3, 3>(ModelAided::new(), layered()?)?),
     "fixed antecedents, N = 2, K = 3" => waves(chain::<_, _, 2, 3>(BackwardDifference::new(), fixed()?)?),
     "fixed antecedents, N = 3, K = 3" => waves(chain::<_, _, 3, 3>(BackwardDifference::new(), fixed()?)?),
@@ -49,6 +67,27 @@ subjects! {
     "least squares, 9 rules" => waves(chain::<_, _, 2, 3>(BackwardDifference::new(), least_squares()?)?),
     "the third-order study" => study::<ThirdOrderLoop>(recordings::THIRD_ORDER),
     "the robot: two axes, unicycle, limits" => study::<Robot>(recordings::ROBOT),
+}
+
+fn pid() -> Result<Pid<Real, 2>, Error> {
+    let gains = PidGains::new(4.0)?.with_integral_time(2.0)?.with_derivative_time(0.5, 0.05)?;
+    Pid::new(gains, AntiWindup::BackCalculation { tracking_time: 1.0 })
+}
+
+fn regulator() -> Result<StateFeedback<Real, 2, 1>, Error> {
+    let (a, b) = ([[0.0, 9.81], [1.0, -0.1]].into(), [[0.0, 2.0]].into());
+    let at = black_box(Jacobians { a, b, c: [[1.0], [0.0]].into() });
+    StateFeedback::lqr(&at, &black_box(Weights::diagonal([1.0, 0.1], [0.1])?), [0.0])
+}
+
+fn adaptive()
+-> Result<ModelReferenceAdaptive<IntegratorChain<Real, 2>, StateRegressor, 2, 2>, Error> {
+    ModelReferenceAdaptive::new(feedback()?, StateRegressor, 5.0, [1.0; 2])
+}
+
+fn super_twisting() -> Result<SuperTwisting<IntegratorChain<Real, 2>, 2>, Error> {
+    let gains = SuperTwistingGains::for_rate(2.0)?;
+    Ok(SuperTwisting::new(IntegratorChain::new(), SlidingSurface::from_lambda(2.0)?, gains))
 }
 
 fn set_valued() -> Result<SlidingMode<Real>, Error> {
