@@ -4,12 +4,7 @@
 #![no_main]
 
 use brunovsky::{
-    Error,
-    channel::Saturation,
-    elementary::sin_cos,
-    learning::Bounded,
-    plant::Pendulum,
-    prelude::*,
+    Error, channel::Saturation, elementary::sin_cos, learning::Bounded, plant::Pendulum, prelude::*,
 };
 use cortex_m::peripheral::{Peripherals, syst::SystClkSource};
 use cortex_m_rt::{entry, exception};
