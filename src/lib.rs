@@ -81,6 +81,7 @@ pub mod trajectory;
 mod array;
 mod conditioning;
 mod error;
+mod inverse;
 mod scalar;
 
 #[cfg(feature = "ensemble")]

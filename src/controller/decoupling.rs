@@ -6,6 +6,7 @@ use crate::{
     Error, Scalar,
     conditioning::{max_condition, norm},
     error::{finite_vector, positive, remembered, value},
+    inverse::inverse,
     learning::LearningMode,
     plant::{Decouplable, Linearization},
     scalar::constant,
@@ -168,7 +169,7 @@ fn inverted<T: Scalar, const M: usize>(
         |condition| Error::IllConditioned { name: "B(x)", condition, limit: value(limit) };
     // A matrix that is not finite has no inverse either; a maximum norm would pass over its NaNs.
     let finite = matrix.iter().all(|entry| entry.is_finite());
-    let inverse = matrix.try_inverse().filter(|_| finite).ok_or(refused(f64::INFINITY))?;
+    let inverse = inverse(matrix).filter(|_| finite).ok_or(refused(f64::INFINITY))?;
     let condition = norm(matrix) * norm(&inverse);
     if condition <= limit { Ok(inverse) } else { Err(refused(value(condition))) }
 }

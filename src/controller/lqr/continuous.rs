@@ -4,7 +4,7 @@ use super::{
     REFINEMENTS, Regulator, Weights, balanced::Balanced, checked, doubling::stabilizing, sum,
     symmetric,
 };
-use crate::{Error, Scalar, error::finite_slice};
+use crate::{Error, Scalar, error::finite_slice, inverse::inverse};
 
 /// The regulator that minimizes ∫ xᵀQx + 2·xᵀNu + uᵀRu dt along ẋ = A·x + B·u: u = −K·x with K = R⁻¹·(BᵀP + Nᵀ).
 ///
@@ -82,9 +82,9 @@ fn transformed<T: Scalar, const N: usize>(
 ) -> Result<SMatrix<T, N, N>, Error> {
     let identity = SMatrix::<T, N, N>::identity();
     let lost = Error::Unsolved { name, residual: f64::INFINITY, limit: f64::MAX };
-    let shifted = (a - identity * gamma).try_inverse().ok_or(lost)?;
+    let shifted = inverse(&(a - identity * gamma)).ok_or(lost)?;
     let w = a.transpose() - identity * gamma + q * shifted * g;
-    let w = w.try_inverse().ok_or(lost)?;
+    let w = inverse(&w).ok_or(lost)?;
     let twice = gamma + gamma;
     stabilizing(
         name,

@@ -8,6 +8,7 @@ use crate::{
     Error, Scalar,
     conditioning::max_condition,
     error::{finite_slice, value},
+    inverse::inverse,
 };
 
 /// The regulator that minimizes Σ xᵀQx + 2·xᵀNu + uᵀRu along x⁺ = A·x + B·u: u = −K·x with K = (R + BᵀPB)⁻¹·(BᵀPA + Nᵀ).
@@ -28,7 +29,7 @@ pub fn discrete<T: Scalar, const NX: usize, const NU: usize>(
     let (a, b, q, r) = (balanced.a, balanced.input(b), balanced.q, weights.r());
     let gain = |p: &SMatrix<T, NX, NX>| {
         let driven = b.transpose() * p;
-        let inverse = (r + driven * b).try_inverse();
+        let inverse = inverse(&(r + driven * b));
         let limit = value(max_condition::<T>());
         let singular =
             Error::IllConditioned { name: "R + B^T*P*B", condition: f64::INFINITY, limit };

@@ -4,6 +4,7 @@ use super::{size, symmetric};
 use crate::{
     Error, Scalar,
     error::value,
+    inverse::inverse,
     scalar::{constant, epsilon},
 };
 
@@ -22,7 +23,7 @@ pub(super) fn stabilizing<T: Scalar, const N: usize>(
     // Beyond that horizon a state that neither grows nor fades would be moved by rounding alone.
     while horizon * epsilon() < constant(0.03125) {
         let w = SMatrix::identity() + g * q;
-        let Some(inverse) = w.try_inverse() else { break };
+        let Some(inverse) = inverse(&w) else { break };
         let led = inverse * a;
         (a, g, q) = (
             a * led,

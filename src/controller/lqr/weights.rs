@@ -4,6 +4,7 @@ use super::{size, symmetric};
 use crate::{
     Error, Scalar,
     error::{finite_slice, value},
+    inverse::inverse,
     scalar::{constant, epsilon},
 };
 
@@ -73,7 +74,7 @@ impl<T: Scalar, const NX: usize, const NU: usize> Weights<T, NX, NU> {
         if pivot <= T::zero() {
             return Err(Error::NotPositive { name: "pivot of R", value: value(pivot) });
         }
-        let inverse = r.try_inverse().filter(|inverse| size(inverse).is_finite());
+        let inverse = inverse(&r).filter(|inverse| size(inverse).is_finite());
         let singular =
             Error::IllConditioned { name: "R", condition: f64::INFINITY, limit: f64::MAX };
         let weights = Self { q, r, n, inverse: symmetric(inverse.ok_or(singular)?) };

@@ -12,6 +12,7 @@ use crate::{
     conditioning::{max_condition, norm},
     differentiation::RunningError,
     error::{finite, finite_vector, value},
+    inverse::inverse,
     scalar::{constant, epsilon},
 };
 
@@ -208,7 +209,7 @@ fn more_significant<T: Scalar>(a: RunningError<T>, b: RunningError<T>) -> Runnin
 
 /// 1/‖B⁻¹‖ and ‖B‖·‖B⁻¹‖ in the maximum norm.
 fn conditioning<T: Scalar, const M: usize>(matrix: &SMatrix<T, M, M>) -> (T, T) {
-    match matrix.try_inverse() {
+    match inverse(matrix) {
         None => (T::zero(), constant(f64::INFINITY)),
         Some(inverse) => {
             let inverse = norm(&inverse);

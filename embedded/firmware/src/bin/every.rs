@@ -144,9 +144,12 @@ fn classical(noise: &mut Noise) -> Result<(), Error> {
     stand(FeedbackLinearization::new(chain, gains), noise);
     let gains = Gains::sampled_lqr(black_box([1.0, 0.1, 0.0]), 0.1, 0.01)?;
     stand(FeedbackLinearization::new(chain, gains), noise);
+    // From five states on matrices are inverted by elimination.
+    let chain = IntegratorChain::<Real, 6>::new();
+    stand(FeedbackLinearization::new(chain, Gains::lqr(black_box([1.0; 6]), 0.1)?), noise);
 
     stand(Backstepping::new(IntegratorChain::<Real, 1>::new(), [2.0])?, noise);
-    stand(Backstepping::new(chain, [1.0, 2.0, 3.0])?, noise);
+    stand(Backstepping::new(IntegratorChain::<Real, 3>::new(), [1.0, 2.0, 3.0])?, noise);
     Ok(())
 }
 
