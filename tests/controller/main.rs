@@ -24,6 +24,7 @@ mod measurement;
 mod paper;
 mod pid;
 mod reference;
+mod run_time_choice;
 mod sliding_mode;
 mod snapshot;
 mod state_feedback;
