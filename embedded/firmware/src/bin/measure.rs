@@ -10,10 +10,13 @@ use brunovsky::{
     controller::{
         ActiveDisturbanceRejection, StateRegressor,
         lqr::Weights,
-        sliding_mode::{SlidingModeControl, SlidingSurface, SuperTwisting, SuperTwistingGains},
+        sliding_mode::{
+            IntegralSlidingMode, SlidingModeControl, SlidingSurface, SuperTwisting,
+            SuperTwistingGains,
+        },
     },
     fuzzy::{IntervalNetwork, TriangularNetwork, TypeReduction, UncertainGaussian},
-    learning::{Fixed, RecursiveLeastSquares},
+    learning::{AdaptiveSlidingMode, Fixed, RecursiveLeastSquares},
     plant::{IntegratorChain, Jacobians},
     prelude::*,
 };
@@ -48,8 +51,10 @@ subjects! {
     "state feedback, N = 2" => holding::<_, 2>(StateFeedback::new([[10.0], [5.0]].into(), [0.0])?, SVector::zeros()),
     "state feedback, N = 2, LQR gain computed on the board" => holding::<_, 2>(regulator()?, SVector::zeros()),
     "model reference adaptive control, N = 2" => waves::<_, 2>(adaptive()?),
+    "backstepping, N = 2" => waves::<_, 2>(Backstepping::new(IntegratorChain::new(), [2.0; 2])?),
     "sliding mode control, N = 2" => waves::<_, 2>(SlidingModeControl::new(IntegratorChain::new(), SlidingSurface::from_lambda(2.0)?, 3.0)?),
     "super-twisting, N = 2" => waves::<_, 2>(super_twisting()?),
+    "integral sliding mode, N = 2" => waves::<_, 2>(Clelc::new(feedback()?, IntegralSlidingMode::new(3.0)?)),
     "active disturbance rejection, N = 2" => waves::<_, 2>(ActiveDisturbanceRejection::new(Gains::from_lambda(2.0)?, 20.0, 1.0)?),
     "CLELC, N = 2, K = 3" => waves(chain::<_, _, 2, 3>(BackwardDifference::new(), set_valued()?)?),
     "CLELC, N = 2, K = 5" => waves(chain::<_, _, 2, 5>(BackwardDifference::new(), set_valued()?)?),
@@ -62,6 +67,8 @@ subjects! {
     "model-aided, boundary layer, N = 3, K = 3" => waves(chain::<_, _, 3, 3>(ModelAided::new(), layered()?)?),
     "fixed antecedents, N = 2, K = 3" => waves(chain::<_, _, 2, 3>(BackwardDifference::new(), fixed()?)?),
     "fixed antecedents, N = 3, K = 3" => waves(chain::<_, _, 3, 3>(BackwardDifference::new(), fixed()?)?),
+    "PID and a model-aided network, 9 rules" => waves(Compensated::new(pid()?, IntegratorChain::new(), learner()?)),
+    "adaptive sliding mode, 9 rules" => waves(chain::<_, _, 2, 3>(BackwardDifference::new(), AdaptiveSlidingMode::new(set_valued()?, 1.0, 0.1)?)?),
     "triangular memberships, 9 rules" => waves(trained(triangular()?, BackwardDifference::new(), fixed()?)?),
     "interval type 2, 9 rules" => waves(trained(interval()?, BackwardDifference::new(), fixed()?)?),
     "least squares, 9 rules" => waves(chain::<_, _, 2, 3>(BackwardDifference::new(), least_squares()?)?),
@@ -88,6 +95,12 @@ fn adaptive()
 fn super_twisting() -> Result<SuperTwisting<IntegratorChain<Real, 2>, 2>, Error> {
     let gains = SuperTwistingGains::for_rate(2.0)?;
     Ok(SuperTwisting::new(IntegratorChain::new(), SlidingSurface::from_lambda(2.0)?, gains))
+}
+
+fn learner()
+-> Result<NeuroFuzzy<FuzzyNetwork<Real, 2, 3>, ModelAided<Real>, SlidingMode<Real>>, Error> {
+    let network = FuzzyNetwork::evenly_spaced([2.0; 2])?;
+    Ok(NeuroFuzzy::new(network, ModelAided::new(), layered()?))
 }
 
 fn set_valued() -> Result<SlidingMode<Real>, Error> {
