@@ -251,7 +251,9 @@ where
             None => {
                 self.shift(&-e);
                 let mut travel = Travel::new(*e, &self.memberships, floor, ceiling);
-                travel.start = self.consequents.mean(travel.grades.rows());
+                let start = self.consequents.mean(travel.grades.rows());
+                // A mean of finite numbers is finite, but its rounding may not be.
+                travel.start = T::max_value().map_or(start, |most| start.max(-most).min(most));
                 self.travel = Some(travel);
             }
         }

@@ -4,7 +4,7 @@ mod symmetry;
 use approx::assert_abs_diff_eq;
 use brunovsky::{
     Error, Scalar,
-    fuzzy::{FuzzyNetwork, Gaussian, Grid, Inputs},
+    fuzzy::{FuzzyNetwork, Gaussian, Grid, Inputs, Travelling},
     nalgebra::SVector,
 };
 use proptest::prelude::*;
@@ -21,6 +21,7 @@ in_both_precisions! {
     refused_consequents_leave_the_network_as_it_was,
     an_input_that_is_not_finite_is_refused,
     an_output_beyond_the_range_of_the_scalar_is_refused,
+    a_travel_does_not_start_beyond_the_range_of_the_scalar,
     moving_the_consequents_moves_the_output_by_the_squared_norm,
 }
 
@@ -185,15 +186,32 @@ fn an_input_that_is_not_finite_is_refused<T: Scalar>() {
 
 /// Eleven times the quotient 1/11 rounds to more than 1 in `f64`, and ten times 1/10 in `f32`, so that an average of the
 /// greatest numbers is greater still.
+/// A network whose every rule wants the greatest number: the rounding of their mean may leave the range.
+fn all_greatest<T: Scalar, const K: usize>() -> FuzzyNetwork<T, 1, K> {
+    let alike = Gaussian::new(T::zero(), T::one()).unwrap();
+    let mut network = FuzzyNetwork::new([[alike; K]]);
+    network.set_consequents(&[T::max_value().unwrap(); K]).unwrap();
+    network
+}
+
 fn an_output_beyond_the_range_of_the_scalar_is_refused<T: Scalar>() {
-    fn all_greatest<T: Scalar, const K: usize>() -> Result<T, Error> {
-        let alike = Gaussian::new(T::zero(), T::one()).unwrap();
-        let mut network = FuzzyNetwork::<T, 1, K>::new([[alike; K]]);
-        network.set_consequents(&[T::max_value().unwrap(); K]).unwrap();
-        network.evaluate(&SVector::zeros())
-    }
-    let refused = all_greatest::<T, 11>().and(all_greatest::<T, 10>()).unwrap_err();
+    let e = SVector::zeros();
+    let [more, less] = [all_greatest::<T, 11>().evaluate(&e), all_greatest::<T, 10>().evaluate(&e)];
+    let refused = more.and(less).unwrap_err();
     assert!(matches!(refused, Error::NonFinite { name: "u_n", .. }));
+}
+
+fn a_travel_does_not_start_beyond_the_range_of_the_scalar<T: Scalar>() {
+    fn start<T: Scalar, const K: usize>() -> T {
+        let mut network = all_greatest::<T, K>();
+        let e = SVector::from([T::one()]);
+        network.carry(&e, real(0.01), real(100.0));
+        network.evaluate(&e).unwrap()
+    }
+    let rounding = T::max_value().unwrap() * ulps(8.0);
+    for u_n in [start::<T, 11>(), start::<T, 10>()] {
+        assert_abs_diff_eq!(u_n, T::max_value().unwrap(), epsilon = rounding);
+    }
 }
 
 fn moved<T: Scalar, const I: usize, const K: usize>()
