@@ -63,7 +63,7 @@ fn compare<const N: usize>(world: &dyn World<N>, tries: u32) -> anyhow::Result<V
         let Some(point) = best else {
             return Ok(Entry { name, knows, found: Vec::new(), result: None, time: None });
         };
-        let run = world.run(&|| contestant.at(&point), contestant.sees_output(), Trial::Test);
+        let run = world.run(&|| contestant.at(&point), contestant.sees_output, Trial::Test);
         let judged = |rows: Vec<Row>| Ok::<_, Error>((Merits::of(&rows, story)?, rows));
         Ok(Entry {
             name,

@@ -43,8 +43,7 @@ pub fn best<const N: usize>(
             Design::latin_hypercube([a?, b?, c?, d?, e?, f?], tries / ROUNDS.len() as u32, 1)?;
         let sweep = Sweep::new(design, 1, 0, ["cost"], |point: Point, _: Run| {
             let make = || contestant.at(&point);
-            let [error, moves] =
-                cost(&world.run(&make, contestant.sees_output(), Trial::Search)?)?;
+            let [error, moves] = cost(&world.run(&make, contestant.sees_output, Trial::Search)?)?;
             // What moves too much is worse by the square of that.
             Ok::<_, Error>([error * (moves / (ACTIVITY * variation)).max(1.0).powi(2)])
         })?;

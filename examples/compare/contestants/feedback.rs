@@ -47,7 +47,8 @@ where
     vec![
         Contestant::new("PID", "y", &pid_parameters(facts), move |p| {
             pid::<N>([p[0], p[1], p[2], p[3]])
-        }),
+        })
+        .on_output(),
         Contestant::new(
             "ADRC",
             "y, b₀",
@@ -55,7 +56,8 @@ where
             move |p| {
                 ActiveDisturbanceRejection::<_, N>::new(Gains::from_lambda(p[0])?, p[1], input_gain)
             },
-        ),
+        )
+        .on_output(),
         Contestant::new("FLC", "x, model", &[lambda], move |p| {
             Ok(FeedbackLinearization::new(model, Gains::from_lambda(p[0])?))
         }),

@@ -27,8 +27,10 @@ pub type Parameter = (&'static str, [f64; 2]);
 /// A law that is to be compared with others.
 pub struct Contestant<const N: usize> {
     pub name: &'static str,
-    /// What it has to know: `y`, or the state `x`, and more.
+    /// What it has to know: the output y or the state x, and more.
     pub knows: &'static str,
+    /// Whether it sees the output alone, and works on the plant as it is.
+    pub sees_output: bool,
     parameters: Vec<Parameter>,
     make: Make<N>,
 }
@@ -47,12 +49,12 @@ impl<const N: usize> Contestant<N> {
         C: Controller<N, 1, Scalar = f64, Reference = Reference<f64, N>> + 'static,
     {
         let make: Make<N> = Box::new(move |values| Ok(Box::new(InputOnly(make(values)?))));
-        Self { name, knows, parameters: parameters.to_vec(), make }
+        Self { name, knows, sees_output: false, parameters: parameters.to_vec(), make }
     }
 
-    /// Whether it sees the output alone, and not the state.
-    pub fn sees_output(&self) -> bool {
-        self.knows.starts_with('y')
+    /// The same law, which sees nothing but the output.
+    fn on_output(self) -> Self {
+        Self { sees_output: true, ..self }
     }
 
     /// The names of the parameters and their values at a `point`.
