@@ -253,11 +253,7 @@ where
                 let mut travel = Travel::new(*e, &self.memberships, floor, ceiling);
                 let start = self.consequents.mean(travel.grades.rows());
                 // A mean of finite numbers is finite, but its rounding may not be.
-                let rounded = !start.is_finite() && self.consequents.iter().all(|f| f.is_finite());
-                travel.start = match T::max_value() {
-                    Some(most) if rounded => start.max(-most).min(most),
-                    _ => start,
-                };
+                travel.start = T::max_value().map_or(start, |most| start.max(-most).min(most));
                 self.travel = Some(travel);
             }
         }

@@ -212,12 +212,6 @@ fn a_travel_does_not_start_beyond_the_range_of_the_scalar<T: Scalar>() {
     for u_n in [start::<T, 11>(), start::<T, 10>()] {
         assert_abs_diff_eq!(u_n, T::max_value().unwrap(), epsilon = rounding);
     }
-    // Consequents that are spoiled are not made up for.
-    let mut spoiled = all_greatest::<T, 3>();
-    let e = SVector::from([T::one()]);
-    spoiled.move_consequents(&spoiled.fire(&e), T::max_value().unwrap() * real(4.0));
-    spoiled.carry(&e, real(0.01), real(100.0));
-    assert!(spoiled.evaluate(&e).is_err());
 }
 
 fn moved<T: Scalar, const I: usize, const K: usize>()
