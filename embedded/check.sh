@@ -73,15 +73,17 @@ echo '| controller, f32 | instructions, mean | largest | stack in bytes | contro
 echo '|---|---|---|---|---|---|'
 flash() { size "$out/$board/release/measure" | awk 'NR == 2 { print $1 + $2 }'; }
 sed -n 's/^    "\(.*\)" =>.*/\1/p' firmware/src/bin/measure.rs | while read -r subject; do
-  recording=/dev/null
+  recording=/dev/null shown=${1:-}
   case $subject in
+    # The yardstick, which is no part of the crate.
+    *'by hand'*) budget=none shown=yes ;;
     *'N = 2, K = 3') budget=1500 ;;
     *'N = 3, K = 3') budget=3500 ;;
     *third-order*) budget=3500 recording=$RECORDINGS/third_order ;;
     *robot*) budget=none recording=$RECORDINGS/robot ;;
     *) budget=none ;;
   esac
-  if [ $budget = none ] && [ "$subject" != nothing ] && [ "${1:-}" != --all ]; then
+  if [ $budget = none ] && [ "$subject" != nothing ] && [ -z "$shown" ]; then
     continue
   fi
   SUBJECT=$subject firmware --bin measure
